@@ -1,0 +1,70 @@
+"""`Parameter`: a symbol of the model with its unit, its meaning and its domain."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from .errors import ModelError
+
+__all__ = ["Parameter", "by_name"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """A parameter of a model.
+
+    Parameters
+    ----------
+    symbol : sympy.Symbol
+        Carries the domain in its assumptions: ``positive``, ``nonnegative`` or ``real``.
+    unit : str
+        SI unit, ``"1"`` for a ratio.
+    meaning : str
+        One phrase for tables and docstrings.
+    definition : sympy.Expr, optional
+        The symbol in terms of other parameters, where it stands for an expression, such as a
+        frequency that depends on the rotor speed.
+
+    Raises
+    ------
+    ModelError
+        If `symbol` is not a symbol, or its definition contains the symbol itself.
+    """
+
+    symbol: sp.Symbol
+    unit: str = "1"
+    meaning: str = ""
+    definition: sp.Expr | None = None
+
+    def __post_init__(self) -> None:
+        if not isinstance(self.symbol, sp.Symbol):
+            raise ModelError(
+                f"a parameter needs a sympy.Symbol, got {self.symbol!r}: "
+                "declare it with sympy.Symbol(name, positive=True) or real=True"
+            )
+        if self.definition is not None and self.definition.has(self.symbol):
+            raise ModelError(f"the definition of {self.symbol} contains {self.symbol} itself")
+
+    @property
+    def name(self) -> str:
+        """The symbol's name: the keyword under which emitted functions take its value."""
+        return str(self.symbol.name)
+
+
+def by_name(parameters: Iterable[Parameter]) -> dict[str, Parameter]:
+    """Parameters keyed by name, in their order.
+
+    Raises
+    ------
+    ModelError
+        If two parameters share a name.
+    """
+    table: dict[str, Parameter] = {}
+    for parameter in parameters:
+        if parameter.name in table:
+            raise ModelError(f"two parameters are called {parameter.name!r}: rename one of them")
+        table[parameter.name] = parameter
+    return table
