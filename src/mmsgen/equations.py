@@ -13,7 +13,7 @@ from .errors import ModelError
 from .linearisation import LinearPart, linear_part
 from .parameters import Parameter
 from .reparametrisation import reparametrised
-from .terms import assemble, collect
+from .terms import assemble, collect, motion
 from .validation import (
     TIME,
     as_expression,
@@ -147,12 +147,17 @@ class EquationsOfMotion:
             If the origin is no equilibrium, naming the equation and the force that remains, or if
             an equation cannot be expanded there.
         """
-        q = sp.Matrix(self.coordinates)
-        part = self._linear
-        sides = part.M * q.diff(TIME, 2) + part.C * q.diff(TIME) + part.K * q - part.f
-        return self.with_occurring(
-            [assemble(collect(side, TIME)) for side in sides], self.coordinates, self.parameters
-        )
+        equations = [self._linear_side(row) for row in range(len(self.coordinates))]
+        return self.with_occurring(equations, self.coordinates, self.parameters)
+
+    def _linear_side(self, row: int) -> sp.Expr:
+        """One row of M q'' + C q' + K q − f, with like terms collected."""
+        terms = collect(-self.f[row], TIME)
+        for column, q in enumerate(self.coordinates):
+            for matrix, function in zip((self.K, self.C, self.M), motion(q, TIME), strict=True):
+                for basis, coefficient in collect(matrix[row, column], TIME).items():
+                    terms[basis * function] = coefficient
+        return assemble(terms)
 
     def reparametrise(
         self,
@@ -160,7 +165,7 @@ class EquationsOfMotion:
         parameters: Iterable[Parameter | sp.Symbol] = (),
         eliminate: Iterable[sp.Symbol | str] = (),
     ) -> EquationsOfMotion:
-        """The same equations in other parameters, with a proof that the old ones are gone.
+        """Write the equations in other parameters, with a proof that the old ones are gone.
 
         All replacements are made at once. Then each equation is divided by the coefficient of its
         own acceleration, where that is constant in time, and every coefficient is brought to
@@ -192,9 +197,7 @@ class EquationsOfMotion:
         equations, declared = reparametrised(self, mapping, parameters, eliminate)
         return self.with_occurring(equations, self.coordinates, declared)
 
-    def scale(
-        self, orders: Mapping[sp.Symbol | str, int], amplitude: int = 0
-    ) -> ScaledSystem:
+    def scale(self, orders: Mapping[sp.Symbol | str, int], amplitude: int = 0) -> ScaledSystem:
         """Say what is small: each parameter's and the motion's order in ε.
 
         Parameters

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .errors import ModelError
-from .terms import assemble, collect
+from .terms import assemble, collect, motion
 
 __all__ = ["LinearPart", "linear_part"]
 
@@ -41,10 +41,10 @@ class _State:
         self.symbols: dict[sp.Symbol, tuple[int, int]] = {}  # symbol: (order, coordinate)
         self.plain: dict[sp.Expr, sp.Symbol] = {}
         for j, q in enumerate(coordinates):
-            for order in (2, 1, 0):
+            for order, function in enumerate(motion(q, time)):
                 symbol = sp.Symbol(f"state {order} {j}")
                 self.symbols[symbol] = (order, j)
-                self.plain[q.diff(time, order)] = symbol
+                self.plain[function] = symbol
         self.rest = dict.fromkeys(self.symbols, sp.S.Zero)
 
 
@@ -93,7 +93,7 @@ def linear_part(
 def _slopes(
     basis: sp.Expr, state: _State, q: sp.Expr
 ) -> list[tuple[tuple[int, int] | None, sp.Expr]]:
-    """The value at rest (place None) and the nonzero first derivatives of a basis function."""
+    """Find the value at rest (place None) and the nonzero first derivatives of a basis function."""
     plain = basis.xreplace(state.plain)
     present = [s for s in state.symbols if s in plain.free_symbols]
     if not present:
@@ -106,13 +106,13 @@ def _slopes(
     explicit = [f.as_base_exp() for f in sp.Mul.make_args(plain)]
     powers = {s: e for s, e in explicit if s in state.symbols}
     if all(e.is_Integer and e.is_positive for e in powers.values()) and sum(powers.values()) > 1:
-        return [] if _finite(sp.Mul(*(b**e for b, e in explicit if b not in powers)), state) else (
-            _refuse(basis, q)
-        )
+        if not _finite(sp.Mul(*(b**e for b, e in explicit if b not in powers)), state):
+            raise _singular(basis, q)
+        return []
     result: list[tuple[tuple[int, int] | None, sp.Expr]] = [(None, plain.xreplace(state.rest))]
     result += [(state.symbols[s], plain.diff(s).xreplace(state.rest)) for s in present]
     if any(value.has(sp.nan, sp.zoo, sp.oo, -sp.oo) for _, value in result):
-        _refuse(basis, q)
+        raise _singular(basis, q)
     return [(place, value) for place, value in result if value != 0]
 
 
@@ -120,8 +120,8 @@ def _finite(expr: sp.Expr, state: _State) -> bool:
     return not expr.xreplace(state.rest).has(sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
-def _refuse(basis: sp.Expr, q: sp.Expr) -> list[tuple[tuple[int, int] | None, sp.Expr]]:
-    raise ModelError(
+def _singular(basis: sp.Expr, q: sp.Expr) -> ModelError:
+    return ModelError(
         f"the equation of {q} contains {basis}, which is singular at rest: measure the "
         "coordinate from its equilibrium"
     )
@@ -144,9 +144,7 @@ def _check_mass_matrix(mass: sp.Matrix, coordinates: Sequence[sp.Expr]) -> None:
     """
     values: dict[sp.Expr, sp.Rational] = {}
     for entry in mass:
-        atoms = entry.atoms(sp.Function) | {
-            p for p in entry.atoms(sp.Pow) if not p.exp.is_Integer
-        }
+        atoms = entry.atoms(sp.Function) | {p for p in entry.atoms(sp.Pow) if not p.exp.is_Integer}
         for atom in sorted(atoms, key=sp.default_sort_key):
             values.setdefault(atom, sp.Rational(sp.prime(len(values) + 40), 101))
         for symbol in sorted(entry.free_symbols, key=sp.default_sort_key):

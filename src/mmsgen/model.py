@@ -16,7 +16,7 @@ from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 from .equations import EquationsOfMotion
 from .errors import ModelError
 from .parameters import Parameter
-from .terms import assemble, collect, expanded
+from .terms import assemble, collect, expanded, motion
 from .validation import (
     TIME,
     as_expression,
@@ -79,9 +79,7 @@ class Model:
         lagrangian = _written_out(as_expression(self.lagrangian, "the Lagrangian"))
         dissipation = _written_out(as_expression(self.dissipation, "the dissipation function"))
         check_content(lagrangian, "the Lagrangian", self.coordinates, self.parameters, 1)
-        check_content(
-            dissipation, "the dissipation function", self.coordinates, self.parameters, 1
-        )
+        check_content(dissipation, "the dissipation function", self.coordinates, self.parameters, 1)
         forces: dict[sp.Expr, sp.Expr] = {}
         for q, force in dict(self.forces).items():
             if q not in self.coordinates:
@@ -141,7 +139,7 @@ class Model:
         return cls(None, tuple(coordinates), tuple(parameters), equations=tuple(parts))
 
     def equations_of_motion(self) -> EquationsOfMotion:
-        """The exact equations, d/dt ∂L/∂q' − ∂L/∂q + ∂R/∂q' − F = 0 for every coordinate.
+        """Derive the exact equations, d/dt ∂L/∂q' − ∂L/∂q + ∂R/∂q' − F = 0 for every coordinate.
 
         Products are multiplied out, and products of sines and cosines are written as sums, so
         that terms which cancel do cancel. Nothing is neglected.
@@ -152,16 +150,20 @@ class Model:
             With the parameters that occur in the equations.
         """
         if self.equations is not None:
-            exact = [assemble(collect(equation, TIME)) for equation in self.equations]
+            sides = list(self.equations)
         else:
             assert self.lagrangian is not None
-            inertial = _lagrange(self.lagrangian, self.coordinates)
-            exact = [
-                assemble(
-                    collect(part + self.dissipation.diff(q.diff(TIME)) - self.forces.get(q, 0), TIME)
+            resisting = _velocity_gradient(self.dissipation, self.coordinates)
+            sides = [
+                inertial + resistance - self.forces.get(q, sp.S.Zero)
+                for q, inertial, resistance in zip(
+                    self.coordinates,
+                    _lagrange(self.lagrangian, self.coordinates),
+                    resisting,
+                    strict=True,
                 )
-                for q, part in zip(self.coordinates, inertial, strict=True)
             ]
+        exact = [assemble(collect(side, TIME)) for side in sides]
         return EquationsOfMotion.with_occurring(exact, self.coordinates, self.parameters)
 
     def _repr_latex_(self) -> str:
@@ -184,18 +186,36 @@ def _written_out(expr: sp.Expr) -> sp.Expr:
     return expr
 
 
+def _plain_velocities(coordinates: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Symbol]:
+    """Symbols in place of velocities: SymPy differentiates by them much faster."""
+    return {motion(q, TIME)[1]: sp.Symbol(f"velocity {j}") for j, q in enumerate(coordinates)}
+
+
+def _velocity_gradient(expr: sp.Expr, coordinates: Sequence[sp.Expr]) -> list[sp.Expr]:
+    """∂/∂q' for every coordinate."""
+    plain = _plain_velocities(coordinates)
+    back = {symbol: velocity for velocity, symbol in plain.items()}
+    there = expr.xreplace(plain)
+    return [there.diff(symbol).xreplace(back) for symbol in plain.values()]
+
+
 def _check_kinetic_energy(lagrangian: sp.Expr, coordinates: Sequence[sp.Expr]) -> None:
     """Every velocity occurs at least to the second degree, alone or with another one."""
-    velocities = [q.diff(TIME) for q in coordinates]
-    plain = {v: sp.Symbol(f"velocity {j}") for j, v in enumerate(velocities)}
+    plain = _plain_velocities(coordinates)
     bases = [basis.xreplace(plain) for basis in collect(lagrangian, TIME)]
-    for q, v in zip(coordinates, plain.values(), strict=True):
-        slopes = (basis.diff(v) for basis in bases if v in basis.free_symbols)
-        if not any(not slope.free_symbols.isdisjoint(plain.values()) for slope in slopes):
+    for q, velocity in zip(coordinates, plain.values(), strict=True):
+        if not any(_curved(basis, velocity, plain.values()) for basis in bases):
             raise ModelError(
                 f"the coordinate {q} has no kinetic energy: its velocity does not occur squared "
                 "in the Lagrangian. Give it inertia, or eliminate it"
             )
+
+
+def _curved(basis: sp.Expr, velocity: sp.Symbol, velocities: Iterable[sp.Symbol]) -> bool:
+    """Whether the slope in one velocity depends on some velocity."""
+    if velocity not in basis.free_symbols:
+        return False
+    return not basis.diff(velocity).free_symbols.isdisjoint(velocities)
 
 
 def _lagrange(lagrangian: sp.Expr, coordinates: Sequence[sp.Expr]) -> list[sp.Expr]:
@@ -228,6 +248,5 @@ def _renaming(old: Iterable[sp.Expr], new: Iterable[sp.Expr]) -> dict[sp.Expr, s
     """Coordinates, velocities and accelerations, in one simultaneous renaming."""
     pairs: dict[sp.Expr, sp.Expr] = {}
     for q, s in zip(old, new, strict=False):
-        for order in (2, 1, 0):
-            pairs[q.diff(TIME, order)] = s.diff(TIME, order)
+        pairs.update(zip(motion(q, TIME), motion(s, TIME), strict=True))
     return pairs

@@ -9,7 +9,7 @@ import sympy as sp
 
 from .errors import ModelError
 from .parameters import Parameter
-from .terms import assemble, collect, ratio, same
+from .terms import assemble, collect, motion, ratio, same
 from .validation import as_expression, as_parameters, names
 
 if TYPE_CHECKING:
@@ -106,7 +106,7 @@ def _declared(
 
 
 def _redefined(parameter: Parameter, replaced: dict[sp.Symbol, sp.Expr]) -> Parameter:
-    """A parameter from an earlier step, its definition written in the new parameters."""
+    """Write the definition of a parameter from an earlier step in the new parameters."""
     if parameter.definition is None or parameter.definition.free_symbols.isdisjoint(replaced):
         return parameter
     definition = ratio(parameter.definition.xreplace(replaced))
@@ -151,10 +151,9 @@ def _inertia(
     terms: dict[sp.Expr, sp.Expr], q: sp.Expr, coordinates: tuple[sp.Expr, ...], time: sp.Symbol
 ) -> sp.Expr:
     """Coefficient of an equation's own acceleration at rest; 1 where it is no constant."""
-    acceleration = q.diff(time, 2)
+    acceleration = motion(q, time)[2]
     plain = sp.Symbol("acceleration")
-    # order matters to nobody: keys are whole nodes, and xreplace meets the derivative first
-    rest = {c.diff(time, order): sp.S.Zero for c in coordinates for order in (2, 1, 0)}
+    rest = {function: sp.S.Zero for c in coordinates for function in motion(c, time)}
     rest[acceleration] = plain
     total = sp.S.Zero
     for basis, coefficient in terms.items():

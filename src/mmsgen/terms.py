@@ -20,14 +20,22 @@ from functools import lru_cache
 from math import lcm
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
-__all__ = ["assemble", "collect", "expanded", "ratio", "same"]
+__all__ = ["assemble", "collect", "expanded", "motion", "ratio", "same"]
 
 # multiplied out, and nothing else: powers and logarithms stay as the user wrote them
 _HINTS = {"power_base": False, "power_exp": False, "log": False, "basic": False}
 _HALF = sp.Rational(1, 2)
 
 
+@lru_cache(maxsize=1024)
+def motion(q: sp.Expr, time: sp.Symbol) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    """Position, velocity and acceleration: q, q', q''. Kept, since SymPy makes them slowly."""
+    return q, q.diff(time), q.diff(time, 2)
+
+
+@lru_cache(maxsize=1024)
 def expanded(expr: sp.Expr) -> sp.Expr:
     """Multiply out, and write products of sines and cosines as sums.
 
@@ -41,14 +49,33 @@ def expanded(expr: sp.Expr) -> sp.Expr:
     sympy.Expr
         Equal to `expr`: a sum of terms with at most one sine or cosine each.
     """
-    multiplied = sp.expand(expr, **_HINTS)
     terms: list[sp.Expr] = []
-    for term in sp.Add.make_args(multiplied):
-        terms.extend(_single_trigonometric(term))
-    total = sp.Add(*terms)
-    if total != multiplied:  # values such as cos(2π/5) bring sums of radicals into products
-        total = sp.expand(total, **_HINTS)
-    return _without_vanishing_phases(total)
+    for term in _multiplied_out(expr):
+        for part in _single_trigonometric(term):
+            # values such as cos(2π/5) bring sums of radicals into products
+            terms.extend([part] if part is term else _multiplied_out(part))
+    return _without_vanishing_phases(sp.Add(*terms))
+
+
+def _multiplied_out(expr: sp.Expr) -> list[sp.Expr]:
+    """Terms of the expanded sum; only those products are touched that contain sums."""
+    terms: list[sp.Expr] = []
+    for term in sp.Add.make_args(expr):
+        if any(_holds_a_sum(factor) for factor in sp.Mul.make_args(term)):
+            terms.extend(sp.Add.make_args(sp.expand(term, **_HINTS)))
+        else:
+            terms.append(term)
+    return terms
+
+
+def _holds_a_sum(factor: sp.Expr) -> bool:
+    """Whether a factor is a sum or a power of one, or a function of an unexpanded argument."""
+    if isinstance(factor, sp.Pow):
+        return not factor.base.is_Atom and not isinstance(factor.base, sp.Function)
+    if isinstance(factor, sp.cos | sp.sin):
+        parts = sp.Add.make_args(factor.args[0])
+        return any(isinstance(f, sp.Add) for part in parts for f in sp.Mul.make_args(part))
+    return bool(factor.args) and not isinstance(factor, sp.Derivative | AppliedUndef)
 
 
 def _single_trigonometric(term: sp.Expr) -> list[sp.Expr]:
@@ -77,7 +104,7 @@ def _single_trigonometric(term: sp.Expr) -> list[sp.Expr]:
 
 
 def _product(left: sp.Expr, right: sp.Expr) -> sp.Expr:
-    """(number × sine or cosine) × (sine or cosine) as a sum of single ones."""
+    """Write (number × sine or cosine) × (sine or cosine) as a sum of single ones."""
     number, left = left.as_coeff_Mul()
     number *= _HALF
     if not isinstance(left, sp.cos | sp.sin):  # the partial product has become a plain number
@@ -162,7 +189,7 @@ def _phases_cancel(members: Iterable[tuple[sp.Rational, sp.Rational]]) -> bool:
 
 @lru_cache(maxsize=64)
 def _cyclotomic(order: int) -> sp.Poly:
-    """The minimal polynomial of e^{2πi/order}."""
+    """Return the minimal polynomial of e^{2πi/order}."""
     z = sp.Symbol("z")
     return sp.Poly(sp.cyclotomic_poly(order, z), z, domain="QQ")
 
@@ -195,12 +222,12 @@ def collect(expr: sp.Expr, time: sp.Symbol) -> dict[sp.Expr, sp.Expr]:
 
 
 def assemble(terms: dict[sp.Expr, sp.Expr]) -> sp.Expr:
-    """The sum of coefficient × basis function: the inverse of `collect`."""
+    """Sum coefficient × basis function: the inverse of `collect`."""
     return sp.Add(*(coefficient * basis for basis, coefficient in terms.items()))
 
 
 def ratio(expr: sp.Expr) -> sp.Expr:
-    """A coefficient as one fraction in lowest terms, by exact rational algebra.
+    """Bring a coefficient to one fraction in lowest terms, by exact rational algebra.
 
     Radicals count as independent quantities whose radicand is brought to lowest terms first,
     so √(ω² − r² + r²) is ω for a positive ω.
@@ -216,7 +243,7 @@ def ratio(expr: sp.Expr) -> sp.Expr:
 
 
 def _ordered(expressions: Iterable[sp.Basic]) -> list[sp.Basic]:
-    """A set in an order that does not depend on hashes."""
+    """Sort a set into an order that does not depend on hashes."""
     return sorted(expressions, key=sp.default_sort_key)
 
 

@@ -15,6 +15,7 @@ from sympy.physics.mechanics import dynamicsymbols
 
 from .errors import ModelError
 from .parameters import Parameter, by_name
+from .terms import motion
 
 __all__ = [
     "TIME",
@@ -32,12 +33,12 @@ TIME: sp.Symbol = dynamicsymbols._t
 
 
 def names(items: Iterable[sp.Basic]) -> str:
-    """Symbols as a readable list, in alphabetical order."""
+    """List symbols readably, in alphabetical order."""
     return ", ".join(sorted(str(item) for item in items))
 
 
 def as_expression(value: object, where: str) -> sp.Expr:
-    """A SymPy expression without floating-point numbers.
+    """Check that a value is a SymPy expression without floating-point numbers.
 
     Raises
     ------
@@ -69,7 +70,7 @@ def as_expression(value: object, where: str) -> sp.Expr:
 
 
 def as_parameters(parameters: Iterable[Parameter | sp.Symbol]) -> tuple[Parameter, ...]:
-    """Parameters with usable names; bare symbols become parameters without unit and meaning.
+    """Check names and domains; bare symbols become parameters without unit and meaning.
 
     Raises
     ------
@@ -118,7 +119,7 @@ def _check_real(parameter: Parameter) -> None:
 
 
 def check_coordinates(coordinates: Sequence[sp.Expr], parameters: Sequence[Parameter]) -> None:
-    """Coordinates are distinct functions of time whose names no parameter has.
+    """Check that coordinates are distinct functions of time whose names no parameter has.
 
     Raises
     ------
@@ -150,7 +151,7 @@ def check_content(
     parameters: Sequence[Parameter],
     highest: int,
 ) -> None:
-    """An expression holds declared symbols, coordinates and their lower derivatives only.
+    """Check that an expression holds only what is declared, and no higher derivatives.
 
     Parameters
     ----------
@@ -190,9 +191,7 @@ def check_content(
     _check_declared(expr.free_symbols - declared - {TIME}, where, parameters)
 
 
-def _check_declared(
-    unknown: set[sp.Symbol], where: str, parameters: Sequence[Parameter]
-) -> None:
+def _check_declared(unknown: set[sp.Symbol], where: str, parameters: Sequence[Parameter]) -> None:
     if not unknown:
         return
     known = by_name(parameters)
@@ -211,7 +210,7 @@ def _check_declared(
 
 
 def check_definitions(parameters: Sequence[Parameter]) -> None:
-    """Definitions contain declared parameters, not time, and do not go round in a circle.
+    """Check that definitions contain declared parameters only, and do not go round in a circle.
 
     Raises
     ------
@@ -235,14 +234,14 @@ def check_definitions(parameters: Sequence[Parameter]) -> None:
 
 
 def check_accelerations(equations: Sequence[sp.Expr], coordinates: Sequence[sp.Expr]) -> None:
-    """Every coordinate has an acceleration, and every equation is of second order.
+    """Check that every coordinate has an acceleration, and every equation is of second order.
 
     Raises
     ------
     ModelError
         Naming the coordinate or the equation without.
     """
-    accelerations = {q: q.diff(TIME, 2) for q in coordinates}
+    accelerations = {q: motion(q, TIME)[2] for q in coordinates}
     present = [equation.atoms(sp.Derivative) for equation in equations]
     for q, acceleration in accelerations.items():
         if not any(acceleration in atoms for atoms in present):
