@@ -57,8 +57,8 @@ class Model:
     """
 
     lagrangian: sp.Expr | None
-    coordinates: tuple[sp.Expr, ...]
-    parameters: tuple[Parameter, ...]
+    coordinates: Sequence[sp.Expr]
+    parameters: Sequence[Parameter]
     dissipation: sp.Expr = sp.S.Zero
     forces: Mapping[sp.Expr, sp.Expr] = field(default_factory=dict, hash=False)
     equations: tuple[sp.Expr, ...] | None = field(default=None, kw_only=True)
@@ -222,10 +222,12 @@ def _lagrange(lagrangian: sp.Expr, coordinates: Sequence[sp.Expr]) -> list[sp.Ex
     """Left-hand sides d/dt ∂L/∂q' − ∂L/∂q, from SymPy's `LagrangesMethod`.
 
     Lagrange's equations are linear in the Lagrangian, and its terms repeat: the blades of a rotor
-    differ by the names of their coordinates. So `LagrangesMethod` gets every distinct term once,
-    in standard coordinates, and its equations are summed with the terms' coefficients.
+    differ by the names of their coordinates and by static phases. So `LagrangesMethod` gets every
+    distinct term once, in standard coordinates and with a symbol for the phase, and its equations
+    are summed with the terms' coefficients.
     """
     standard = dynamicsymbols(f"standard_1:{len(coordinates) + 1}")
+    phase = sp.Symbol("static phase", real=True)
     known: dict[sp.Expr, list[sp.Expr]] = {}
     sides: list[list[sp.Expr]] = [[] for _ in coordinates]
     for basis, coefficient in collect(lagrangian, TIME).items():
@@ -235,13 +237,24 @@ def _lagrange(lagrangian: sp.Expr, coordinates: Sequence[sp.Expr]) -> list[sp.Ex
             continue
         there = _renaming([coordinates[j] for j in present], standard)
         back = {new: old for old, new in there.items()}
-        term = basis.xreplace(there)
+        term, back[phase] = _with_free_phase(basis.xreplace(there), phase)
         if term not in known:
             method = LagrangesMethod(term, standard[: len(present)])
             known[term] = [expanded(e) for e in method.form_lagranges_equations()]
         for j, side in zip(present, known[term], strict=True):
             sides[j].append(coefficient * side.xreplace(back))
     return [sp.Add(*parts) for parts in sides]
+
+
+def _with_free_phase(term: sp.Expr, phase: sp.Symbol) -> tuple[sp.Expr, sp.Expr]:
+    """Put a symbol in place of the static phase of a term's sine or cosine; the phase itself."""
+    for function in sp.Mul.make_args(term):
+        if isinstance(function, sp.cos | sp.sin):
+            angle = function.args[0]
+            static = sp.Add(*(p for p in sp.Add.make_args(angle) if (p / sp.pi).is_Rational))
+            free = function.func(angle - static + phase)
+            return term.xreplace({function: free}), static
+    return term, sp.S.Zero
 
 
 def _renaming(old: Iterable[sp.Expr], new: Iterable[sp.Expr]) -> dict[sp.Expr, sp.Expr]:
