@@ -11,8 +11,11 @@ LOWEST := .venv-lowest
 ENV_LOWEST := $(LOWEST)/.installed
 PYTEST := $(BIN)/python -m pytest -n 2
 
-DERIVATIONS := $(basename $(notdir $(wildcard derivations/[a-z]*.py)))
+# A derivation is a percent-format script; other modules beside it are what derivations share.
+SCRIPTS := $(sort $(shell grep -l '^# %%' derivations/*.py 2>/dev/null))
+DERIVATIONS := $(SCRIPTS:derivations/%.py=%)
 STAMPS := $(DERIVATIONS:%=build/%.stamp)
+SHARED := $(filter-out $(SCRIPTS),$(sort $(wildcard derivations/*.py)))
 ENGINE := $(sort $(wildcard src/mmsgen/*.py src/mmsgen/*/*.py))
 
 # Figures are drawn without a display.
@@ -63,10 +66,10 @@ help:  ## list the targets
 emitted = derivations/$1.ipynb $(wildcard generated/mms_functions/$1/*.py generated/mms_functions/$1/*.json)
 gone = $(filter-out $(wildcard $(file <build/$1.stamp)),$(file <build/$1.stamp))
 
-build/%.stamp: derivations/%.py $(ENGINE) $(ENV) $$(wildcard $$(call emitted,$$*)) $$(if $$(call gone,$$*),FORCE)
+build/%.stamp: derivations/%.py $(SHARED) $(ENGINE) $(ENV) $$(wildcard $$(call emitted,$$*)) $$(if $$(call gone,$$*),FORCE)
 	@mkdir -p build
 	$(BIN)/python -m mmsgen make $*
-	@ls derivations/$*.ipynb generated/mms_functions/$*/*.py generated/mms_functions/$*/*.json > $@.new
+	@ls derivations/$*.ipynb generated/mms_functions/$*/*.py generated/mms_functions/$*/*.json | tr '\n' ' ' > $@.new
 	@mv $@.new $@
 
 FORCE:
@@ -75,7 +78,7 @@ FORCE:
 define make_venv
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null || { \
 	  echo "mmsgen needs Python 3.11 or later, and '$(PYTHON)' is" \
-	    "$$($(PYTHON) --version 2>&1 || echo missing): make PYTHON=python3.12" >&2; exit 1; }
+	    "$$($(PYTHON) --version 2>&1 | head -n 1): make PYTHON=python3.12" >&2; exit 1; }
 	@$(PYTHON) -c 'import ensurepip, venv' 2>/dev/null || { \
 	  echo "'$(PYTHON)' has no venv: install it (on Debian: the package python3-venv)" >&2; exit 1; }
 	@test "$$($1/bin/python -m pip --version 2>/dev/null | sed 's/.*(//')" = \
