@@ -1,0 +1,204 @@
+"""`LinearFlow`: a linear slow flow as matrices, in blocks that do not touch each other.
+
+The amplitudes A_j and their conjugates are split into the smallest sets closed under the flow, one
+of each conjugate pair of sets being kept. The characteristic polynomial of a block comes from the
+Faddeev–Leverrier recursion, which needs ring operations alone, and is factored over the rationals.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import sympy as sp
+
+from .boundary import Stability, stability
+from .factoring import MonicFactor, factor_monic
+from .field import Coefficient
+from .numeric import evaluate
+from .parameters import Parameter
+
+if TYPE_CHECKING:
+    from .slowflow import SlowFlow
+
+__all__ = ["Block", "LinearFlow", "linear_flow"]
+
+Node = tuple[int, int]
+"""(coordinate index, 0 for A_j or 1 for its conjugate)."""
+
+
+@dataclass(frozen=True)
+class Block:
+    """A set of amplitudes closed under the slow flow.
+
+    Attributes
+    ----------
+    nodes : tuple of Node
+    entries : tuple of tuple of Coefficient
+        The square matrix of the block.
+    polynomial : tuple of Coefficient
+        Characteristic polynomial, coefficient of Γ^k at index k; the last is 1.
+    factors : tuple of MonicFactor
+        Its factors over the rationals.
+    """
+
+    nodes: tuple[Node, ...]
+    entries: tuple[tuple[Coefficient, ...], ...]
+    polynomial: tuple[Coefficient, ...]
+    factors: tuple[MonicFactor, ...]
+
+
+@dataclass(frozen=True)
+class LinearFlow:
+    """The matrix form of a linear slow flow.
+
+    Attributes
+    ----------
+    flow : SlowFlow
+    blocks : tuple of Block
+    """
+
+    flow: SlowFlow
+    blocks: tuple[Block, ...]
+
+    @cached_property
+    def variables(self) -> tuple[sp.Expr, ...]:
+        """Amplitudes in the order of `matrix`."""
+        amplitudes = self.flow.case.amplitudes
+        return tuple(
+            sp.conjugate(amplitudes[j]) if barred else amplitudes[j]
+            for block in self.blocks
+            for j, barred in block.nodes
+        )
+
+    @cached_property
+    def matrix(self) -> sp.ImmutableDenseMatrix:
+        """The block-diagonal matrix of the slow flow."""
+        show = self.flow.case.symbols
+        parts = [
+            sp.Matrix([[show(c) for c in row] for row in block.entries]) for block in self.blocks
+        ]
+        return sp.ImmutableDenseMatrix(sp.diag(*parts))
+
+    @property
+    def factors(self) -> tuple[MonicFactor, ...]:
+        """The factors of all blocks."""
+        return tuple(f for block in self.blocks for f in block.factors)
+
+    def characteristic_polynomial(self, gamma: sp.Symbol) -> sp.Expr:
+        """The product of all factors."""
+        show = self.flow.case.symbols
+        return sp.Mul(
+            *(
+                sp.Add(*(show(c) * gamma**k for k, c in enumerate(f.coefficients)))
+                ** f.multiplicity
+                for f in self.factors
+            )
+        )
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The parameters that the matrix depends on, detunings last."""
+        present = self.matrix.free_symbols
+        return tuple(p for p in self.flow.case.parameters if p.symbol in present)
+
+    @cached_property
+    def stability(self) -> Stability:
+        """Whether the flow can be unstable, why, and where."""
+        case = self.flow.case
+        sigmas = tuple(r.detuning for r in case.relations)
+        return stability(self.factors, case.symbols, case.parameters, sigmas)
+
+    def growth_rate(self, values: Mapping[Any, Any]) -> Any:
+        """Largest real part of the eigenvalues of the matrix."""
+        rates = []
+        for block in self.blocks:
+            show = self.flow.case.symbols
+            rows = [[show(c) for c in row] for row in block.entries]
+            flat = [e for row in rows for e in row]
+            numbers = evaluate(flat, self.flow.case.parameters, values)
+            shape = np.broadcast_shapes(*(np.shape(x) for x in numbers))
+            n = len(rows)
+            matrix = np.empty((*shape, n, n), dtype=complex)
+            for k, x in enumerate(numbers):
+                matrix[..., k // n, k % n] = x
+            rates.append(np.linalg.eigvals(matrix).real.max(axis=-1))
+        return np.max(np.broadcast_arrays(*rates), axis=0)
+
+
+def linear_flow(flow: SlowFlow) -> LinearFlow:
+    """Split a linear autonomous slow flow into blocks."""
+    entries = _entries(flow)
+    blocks = []
+    for nodes in _components(flow.case.weak.ring.n, entries):
+        zero = flow.case.weak.ring.field.zero
+        rows = tuple(tuple(entries.get((a, b), zero) for b in nodes) for a in nodes)
+        polynomial = _characteristic(rows)
+        blocks.append(Block(nodes, rows, polynomial, factor_monic(polynomial)))
+    return LinearFlow(flow, tuple(blocks))
+
+
+def _entries(flow: SlowFlow) -> dict[tuple[Node, Node], Coefficient]:
+    """d(node)/dt = Σ entries[node, other]·other, for amplitudes and conjugates."""
+    ring = flow.case.weak.ring
+    field = ring.field
+    terms: dict[tuple[Node, Node], list[Coefficient]] = {}
+    for j, series in enumerate(flow.rates):
+        for key, c in series.items():
+            exponents = ring.packing.exponents(key)[: 2 * ring.n]
+            i, barred = divmod(exponents.index(1), 2)
+            terms.setdefault(((j, 0), (i, barred)), []).append(c)
+            terms.setdefault(((j, 1), (i, 1 - barred)), []).append(c.conjugate())
+        assert flow.frame is not None
+        form = {str(s.name): c for s, c in flow.frame[j].items()}
+        turn = field.polynomial(field.linear(form)).times_i()
+        if turn:
+            terms.setdefault(((j, 0), (j, 0)), []).append(-turn)
+            terms.setdefault(((j, 1), (j, 1)), []).append(turn)
+    sums = ((pair, field.sum(cs)) for pair, cs in terms.items())
+    return {pair: c for pair, c in sums if c}
+
+
+def _components(n: int, entries: Mapping[tuple[Node, Node], Coefficient]) -> list[tuple[Node, ...]]:
+    """Connected sets of nodes, one of each conjugate pair, in coordinate order."""
+    leader: dict[Node, Node] = {(j, b): (j, b) for j in range(n) for b in (0, 1)}
+
+    def find(node: Node) -> Node:
+        while leader[node] != node:
+            node = leader[node]
+        return node
+
+    for a, b in entries:
+        leader[find(a)] = find(b)
+    taken: set[Node] = set()
+    components = []
+    for j in range(n):
+        if (j, 0) in taken or (j, 1) in taken:
+            continue
+        nodes = tuple(sorted(m for m in leader if find(m) == find((j, 0))))
+        taken.update(nodes)
+        components.append(nodes)
+    return components
+
+
+def _characteristic(rows: tuple[tuple[Coefficient, ...], ...]) -> tuple[Coefficient, ...]:
+    """Coefficients of det(Γ − S), lowest power first, by Faddeev and Leverrier."""
+    n = len(rows)
+    field = rows[0][0].field
+    identity = [[field.one if i == j else field.zero for j in range(n)] for i in range(n)]
+    coefficients, auxiliary = [field.one], identity
+    for k in range(1, n + 1):
+        product = [
+            [field.sum(rows[i][m].times(auxiliary[m][j]) for m in range(n)) for j in range(n)]
+            for i in range(n)
+        ]
+        c = field.sum(product[i][i] for i in range(n)).scale(Fraction(-1, k))
+        coefficients.append(c)
+        auxiliary = [
+            [product[i][j] + c if i == j else product[i][j] for j in range(n)] for i in range(n)
+        ]
+    return tuple(reversed(coefficients))

@@ -1,0 +1,85 @@
+"""Expressions at numbers: the values that a user passes, checked and broadcast."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+import sympy as sp
+
+from .errors import MmsgenError
+from .parameters import Parameter, by_name
+
+__all__ = ["evaluate", "named_values"]
+
+
+def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> dict[str, Any]:
+    """Values by parameter name, those of parameters with a definition filled in.
+
+    Parameters
+    ----------
+    parameters : sequence of Parameter
+    values : mapping
+        Symbol or name → number or array.
+
+    Returns
+    -------
+    dict
+        Name → float array, for every parameter that is given or follows from its definition.
+
+    Raises
+    ------
+    MmsgenError
+        If a value is given for an unknown parameter, twice, or is not a finite real number.
+    """
+    known = by_name(parameters)
+    table: dict[str, Any] = {}
+    for key, value in values.items():
+        name = key if isinstance(key, str) else str(getattr(key, "name", key))
+        if name not in known:
+            raise MmsgenError(f"{name} is not a parameter here; known are {', '.join(known)}")
+        if name in table:
+            raise MmsgenError(f"a value for {name} is given twice")
+        number = np.asarray(value)
+        if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
+            raise MmsgenError(f"the value of {name} must be real and finite, got {value!r}")
+        table[name] = number.astype(float)
+    pending = {p.name: p.definition for p in parameters if p.definition and p.name not in table}
+    while pending:
+        ready = {n: d for n, d in pending.items() if {str(s) for s in d.free_symbols} <= set(table)}
+        if not ready:
+            break
+        for name, definition in ready.items():
+            symbols = sorted(definition.free_symbols, key=str)
+            function = sp.lambdify(symbols, definition, "numpy")
+            table[name] = np.asarray(function(*(table[str(s)] for s in symbols)), dtype=float)
+            del pending[name]
+    return table
+
+
+def evaluate(
+    expressions: Sequence[sp.Expr], parameters: Sequence[Parameter], values: Mapping[Any, Any]
+) -> list[Any]:
+    """Evaluate expressions in the parameters, in complex double precision.
+
+    Parameters
+    ----------
+    expressions : sequence of sympy.Expr
+    parameters : sequence of Parameter
+        Those that may occur.
+    values : mapping
+        Symbol or name → number or array; arrays broadcast.
+
+    Raises
+    ------
+    MmsgenError
+        If a parameter that occurs has no value, or as for `named_values`.
+    """
+    table = named_values(parameters, values)
+    needed = [p for p in parameters if any(e.has(p.symbol) for e in expressions)]
+    missing = [p.name for p in needed if p.name not in table]
+    if missing:
+        raise MmsgenError(f"no value is given for {', '.join(missing)}")
+    function = sp.lambdify([p.symbol for p in needed], list(expressions), "numpy", cse=True)
+    return [np.asarray(x) for x in function(*(table[p.name] for p in needed))]

@@ -1,0 +1,5 @@
+class ResonanceTable:
+    """Resonances."""
+
+
+def enumerate_resonances(w): ...

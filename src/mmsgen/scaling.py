@@ -1,0 +1,253 @@
+"""`ScaledSystem`: which parameter and which amplitude is of which order in ε.
+
+The scaled equations are held as truncated polynomials with exact coefficients. Parameters keep
+their symbols: a parameter p of order k stands for ε^k p, and results are written at ε = 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import sympy as sp
+
+from .alphabet import Alphabet, survey
+from .errors import ScalingError
+from .expansion import Expansion, expand
+from .grading import Grading
+from .leading import GradedTerm, LinearForm, graded_terms, leading_order
+from .relations import solve_relations
+from .resonance import ResonanceTable, enumerate_resonances
+from .symbols import coordinate_name
+from .taylor import Polynomial, Taylor
+from .weak import WeakSystem, weak_system
+
+if TYPE_CHECKING:
+    from .equations import EquationsOfMotion
+
+__all__ = ["ScaledSystem", "scale"]
+
+
+def scale(
+    eom: EquationsOfMotion,
+    orders: Mapping[sp.Symbol | str, int],
+    amplitude: int | sp.Rational | Mapping[sp.Expr, int | sp.Rational] = 0,
+) -> ScaledSystem:
+    """Say which parameter and which amplitude is small.
+
+    Parameters
+    ----------
+    eom : EquationsOfMotion
+    orders : mapping
+        Parameter → its order in ε, a whole number; parameters not named are of order 0.
+    amplitude : int, Rational or mapping
+        Order in ε of the coordinates' amplitudes, one for all or one per coordinate. With 0
+        nothing is truncated, and every nonlinear term needs a small parameter.
+
+    Returns
+    -------
+    ScaledSystem
+
+    Raises
+    ------
+    ScalingError
+        If a parameter is unknown or scaled twice, an order is not a whole number ≥ 0, or the
+        leading-order part is not a set of uncoupled oscillators.
+    """
+    known = {p.name: p.symbol for p in eom.parameters}
+    resolved: dict[str, int] = {}
+    for key, order in orders.items():
+        name = key if isinstance(key, str) else str(getattr(key, "name", key))
+        if name not in known:
+            hint = "; amplitudes are scaled by amplitude={...}" if _is_coordinate(eom, key) else ""
+            raise ScalingError(
+                f"{key} is not a parameter of these equations, so it cannot be scaled; they have "
+                f"{', '.join(known)}{hint}"
+            )
+        if name in resolved:
+            raise ScalingError(f"the parameter {name} is scaled twice: give it one order")
+        if isinstance(order, bool) or int(order) != order or order < 0:
+            raise ScalingError(f"the order of {name} must be a whole number >= 0, got {order!r}")
+        resolved[name] = int(order)
+    return ScaledSystem(
+        eom,
+        tuple((known[name], order) for name, order in resolved.items()),
+        tuple(_amplitude_order(q, amplitude) for q in eom.coordinates)
+        if not isinstance(amplitude, Mapping)
+        else _amplitude_orders(eom, amplitude),
+    )
+
+
+def _is_coordinate(eom: EquationsOfMotion, key: object) -> bool:
+    return any(key == q or str(key) == coordinate_name(q) for q in eom.coordinates)
+
+
+def _amplitude_order(q: sp.Expr, value: object) -> Fraction:
+    order = sp.sympify(value)
+    if not order.is_Rational or order < 0:
+        raise ScalingError(
+            f"the order of the amplitude of {q} must be a rational number >= 0, got {value!r}"
+        )
+    return Fraction(int(order.p), int(order.q))
+
+
+def _amplitude_orders(
+    eom: EquationsOfMotion, amplitude: Mapping[sp.Expr, Any]
+) -> tuple[Fraction, ...]:
+    for key in amplitude:
+        if key not in eom.coordinates:
+            raise ScalingError(f"{key} is not a coordinate, so its amplitude cannot be scaled")
+    missing = [str(q) for q in eom.coordinates if q not in amplitude]
+    if missing:
+        raise ScalingError(f"no amplitude order is given for {', '.join(missing)}")
+    return tuple(_amplitude_order(q, amplitude[q]) for q in eom.coordinates)
+
+
+@dataclass(frozen=True)
+class ScaledSystem:
+    """Equations of motion with an order in ε for every parameter and amplitude.
+
+    Attributes
+    ----------
+    eom : EquationsOfMotion
+        The exact equations.
+    orders : tuple of (symbol, int)
+        The small parameters.
+    amplitude : tuple of Fraction
+        Order of each coordinate's amplitude.
+
+    Raises
+    ------
+    ScalingError
+        When built, if the leading order is not a set of uncoupled oscillators.
+    """
+
+    eom: EquationsOfMotion
+    orders: tuple[tuple[sp.Symbol, int], ...]
+    amplitude: tuple[Fraction, ...]
+    _cache: dict[Fraction, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._check_frequencies_are_not_small()
+
+    # -- the polynomial form -------------------------------------------------------------
+
+    @cached_property
+    def alphabet(self) -> Alphabet:
+        """Generators, phasors and roots of unity of the equations."""
+        time = self.eom.time
+        moving = [q.diff(time, k) if k else q for k in range(3) for q in self.eom.coordinates]
+        symbols = [p.symbol for p in self.eom.parameters]
+        return survey(self.eom.equations, time, symbols, frozenset(moving))
+
+    def polynomials(self, order: int) -> tuple[Taylor, tuple[Polynomial, ...]]:
+        """The equations as polynomials in q, q', q'' and phasors, exact through ε^order."""
+        limit = max(self.amplitude, default=Fraction(0)) + (order if any(self.amplitude) else 0)
+        if limit not in self._cache:
+            taylor = Taylor(self.alphabet, self.eom.coordinates, self.amplitude, limit)
+            self._cache[limit] = taylor, tuple(taylor(e) for e in self.eom.equations)
+        result: tuple[Taylor, tuple[Polynomial, ...]] = self._cache[limit]
+        return result
+
+    def graded(self, grading: Grading) -> tuple[Taylor, list[list[GradedTerm]]]:
+        """The terms of every equation by their order in ε."""
+        taylor, polynomials = self.polynomials(grading.order)
+        return taylor, [graded_terms(taylor, p, grading, j) for j, p in enumerate(polynomials)]
+
+    @cached_property
+    def _order_by_name(self) -> dict[str, int]:
+        """Order of every generator of the field; a root of a parameter takes its share."""
+        result = {}
+        for symbol, order in self.orders:
+            q = self.alphabet.roots.get(str(symbol.name), 1)
+            if order % q:
+                raise ScalingError(
+                    f"{symbol}**(1/{q}) occurs, so the order of {symbol} must be a multiple of {q}"
+                )
+            result[str(symbol.name)] = order // q
+        return result
+
+    @cached_property
+    def natural_frequencies(self) -> tuple[LinearForm, ...]:
+        """ω_j of each coordinate as a linear form in frequency symbols."""
+        grading = Grading(self.alphabet.field, self._order_by_name)
+        taylor, terms = self.graded(grading)
+        return leading_order(taylor, terms, grading.field)[1]
+
+    @cached_property
+    def frequencies(self) -> tuple[sp.Symbol, ...]:
+        """The frequency symbols: natural ones in coordinate order, then those of excitations."""
+        names = [n for form in self.natural_frequencies for n in form if n != "1"]
+        names += [str(p.base.name) for p in self.alphabet.phasors if p.moving and p.base.is_Symbol]
+        symbols = {p.name: p.symbol for p in self.eom.parameters}
+        return tuple(symbols[name] for name in dict.fromkeys(names))
+
+    def _check_frequencies_are_not_small(self) -> None:
+        small = {str(s.name) for s, order in self.orders if order}
+        for symbol in self.frequencies:
+            if symbol.name in small:
+                raise ScalingError(
+                    f"the frequency {symbol} has an order in ε: a slow excitation or a vanishing "
+                    "natural frequency has no expansion of this kind; leave it at order 0"
+                )
+            if not symbol.is_positive:
+                raise ScalingError(
+                    f"the frequency {symbol} must be declared positive: Symbol('{symbol}', "
+                    "positive=True)"
+                )
+        for phasor in self.alphabet.phasors:
+            if not phasor.moving and phasor.base.free_symbols & set(self.frequencies):
+                raise ScalingError(
+                    f"the constant phase {phasor.angle} contains a frequency: name it as a "
+                    "parameter of its own"
+                )
+            if not phasor.moving and {str(s.name) for s in phasor.base.free_symbols} & small:
+                raise ScalingError(
+                    f"the constant phase {phasor.angle} contains a small parameter: expand it first"
+                )
+
+    # -- the next stages -----------------------------------------------------------------
+
+    def weak(self, order: int, resonance: Mapping[sp.Expr, sp.Expr] | None = None) -> WeakSystem:
+        """The equations through ε^order with the resonance relations imposed."""
+        if isinstance(order, bool) or not isinstance(order, int) or order < 1:
+            raise ScalingError(f"the order of an expansion must be a whole number >= 1: {order!r}")
+        taken = frozenset(p.name for p in self.eom.parameters)
+        relations, detuned = solve_relations(resonance, self.frequencies, taken)
+        for name in detuned:
+            if self.alphabet.roots.get(name, 1) != 1:
+                raise ScalingError(f"a root of the detuned frequency {name} occurs: name it")
+        sigmas = [str(r.detuning.name) for r in relations]
+        grading = Grading(self.alphabet.field, self._order_by_name, detuned, sigmas, order)
+        taylor, terms = self.graded(grading)
+        return weak_system(self, taylor, terms, grading, relations, detuned)
+
+    def expand(self, order: int, resonance: Mapping[sp.Expr, sp.Expr] | None = None) -> Expansion:
+        """Expand by the method of multiple scales.
+
+        Parameters
+        ----------
+        order : int
+            Highest power of ε in the solvability conditions, at least 1.
+        resonance : mapping, optional
+            Relations {kΩ: linear form in the other frequencies} that hold up to a detuning of
+            order ε; None for the case without resonance.
+
+        Raises
+        ------
+        ScalingError, ResonanceError, ExpansionError
+        """
+        return expand(self.weak(order, resonance))
+
+    def resonances(self, order: int) -> ResonanceTable:
+        """Every resonance that appears up to ε^order, found from the divisors.
+
+        Parameters
+        ----------
+        order : int
+            At least 1.
+        """
+        return enumerate_resonances(self.weak(order))
