@@ -197,14 +197,18 @@ class EquationsOfMotion:
         equations, declared = reparametrised(self, mapping, parameters, eliminate)
         return self.with_occurring(equations, self.coordinates, declared)
 
-    def scale(self, orders: Mapping[sp.Symbol | str, int], amplitude: int = 0) -> ScaledSystem:
+    def scale(
+        self,
+        orders: Mapping[sp.Symbol | str, int],
+        amplitude: int | sp.Rational | Mapping[sp.Expr, int | sp.Rational] = 0,
+    ) -> ScaledSystem:
         """Say what is small: each parameter's and the motion's order in ε.
 
         Parameters
         ----------
         orders : mapping of parameter to int
             The power of ε that each small parameter carries.
-        amplitude : int
+        amplitude : int, Rational or mapping of coordinate to such
             The power of ε that the coordinates carry.
 
         Returns

@@ -52,6 +52,8 @@ def reparametrised(
         if old in replaced:
             raise ModelError(f"{old} is replaced twice: once as a symbol, once by name")
         replaced[old] = as_expression(value, f"the expression for {old}")
+        if eom.time in replaced[old].free_symbols:
+            raise ModelError(f"the expression for {old} depends on time: a parameter is constant")
     gone = set(replaced) | {_known_symbol(key, known) for key in eliminate}
     # a symbol may be given a new meaning, such as k → k/m: then it is old and new at once
     gone -= {s for value in replaced.values() for s in value.free_symbols} & set(replaced)

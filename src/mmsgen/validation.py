@@ -82,27 +82,28 @@ def as_parameters(parameters: Iterable[Parameter | sp.Symbol]) -> tuple[Paramete
         raise ModelError(f"parameters must be a list of Parameter, got {parameters!r}")
     result = tuple(p if isinstance(p, Parameter) else Parameter(p) for p in parameters)
     for parameter in result:
-        _check_name(parameter)
+        _check_name("parameter", parameter.name)
         _check_real(parameter)
     by_name(result)
     return result
 
 
-def _check_name(parameter: Parameter) -> None:
-    name = parameter.name
+def _check_name(kind: str, name: str) -> None:
+    """Names become keyword arguments of emitted functions."""
     if name == TIME.name:
         raise ModelError(
-            f"the parameter {name!r} is called like time: rename it, for time use "
+            f"the {kind} {name!r} is called like time: rename it, for time use "
             "sympy.physics.mechanics.dynamicsymbols._t"
         )
     if keyword.iskeyword(name):
         raise ModelError(
-            f"the parameter {name!r} is a Python keyword, and emitted functions take it as a "
+            f"the {kind} {name!r} is a Python keyword, and emitted functions take it as a "
             f"keyword argument: rename the symbol, for example to {name + '_0'!r}"
         )
+    # Python reads identifiers in their NFKC form: a name that changes would not be found again
     if not name.isidentifier() or name != unicodedata.normalize("NFKC", name):
         raise ModelError(
-            f"the parameter {name!r} is not a Python identifier, and emitted functions take it "
+            f"the {kind} {name!r} is not a Python identifier, and emitted functions take it "
             "as a keyword argument: rename the symbol with letters, digits and underscores"
         )
 
@@ -137,10 +138,11 @@ def check_coordinates(coordinates: Sequence[sp.Expr], parameters: Sequence[Param
                 "sympy.physics.mechanics.dynamicsymbols"
             )
         name = str(q.func)
+        _check_name("coordinate", name)
         if name in seen:
             raise ModelError(f"the coordinate {q} is given twice: every coordinate once")
-        if name in taken or name == TIME.name:
-            raise ModelError(f"{name!r} is both a coordinate and a symbol: rename one of them")
+        if name in taken:
+            raise ModelError(f"{name!r} is both a coordinate and a parameter: rename one of them")
         seen[name] = q
 
 
