@@ -11,15 +11,21 @@ Wanner, *… II* (collocation); Nayfeh & Mook, *Nonlinear Oscillations* (1979), 
 characteristic exponents); Stewart & Sun, *Matrix Perturbation Theory* (1990) (error bounds).
 """
 
+from .charts import Chart, chart
+from .edges import Boundary, boundary
 from .exponents import exponents, growth_rate, monodromy, multipliers
 from .records import Exponents, GrowthRate, Monodromy, Multipliers, Verdict
 
 __all__ = [
+    "Boundary",
+    "Chart",
     "Exponents",
     "GrowthRate",
     "Monodromy",
     "Multipliers",
     "Verdict",
+    "boundary",
+    "chart",
     "exponents",
     "growth_rate",
     "monodromy",

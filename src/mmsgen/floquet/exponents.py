@@ -64,7 +64,7 @@ def growth_rate(
         For missing, unknown or unusable values, coefficients without a common period, or a
         singular mass matrix.
     """
-    problem = prepare(eom, values, period, Options(tolerance, 12, max_steps, workers))
+    problem = prepare(eom, values, period, Options(tolerance, max_steps, workers))
     return growth(problem, threshold)
 
 
@@ -82,7 +82,7 @@ def growth(problem: Problem, threshold: npt.ArrayLike | None) -> GrowthRate:
         else:
             frequency[part] = np.abs(spectrum.value).max(axis=1, initial=0.0)
 
-    _run(problem, job)
+    run_chunks(problem, job)
     resolution = np.maximum(10 * problem.options.tolerance, 1e-9 * np.nan_to_num(frequency))
     level = _threshold(threshold, shape)
     verdict, used = judge(
@@ -110,7 +110,7 @@ def exponents(
     Exponents
         Value and error, shape batch + (2n,).
     """
-    problem = prepare(eom, values, period, Options(tolerance, 12, max_steps, workers))
+    problem = prepare(eom, values, period, Options(tolerance, max_steps, workers))
     count, width = problem.points.count, 2 * problem.system.size
     value = np.empty((count, width), dtype=np.complex128)
     error = np.empty((count, width))
@@ -126,7 +126,7 @@ def exponents(
         value[part] = np.take_along_axis(found, order, axis=1)
         error[part] = np.take_along_axis(bound, order, axis=1)
 
-    _run(problem, job)
+    run_chunks(problem, job)
     shape = problem.points.shape
     lengths = problem.period if problem.system.time_varying else None
     return Exponents(
@@ -155,7 +155,7 @@ def multipliers(
     Multipliers
         Value and error, shape batch + (2n,).
     """
-    problem = prepare(eom, values, period, Options(tolerance, 12, max_steps, workers))
+    problem = prepare(eom, values, period, Options(tolerance, max_steps, workers))
     lengths = problem.periods
     count, width = problem.points.count, 2 * problem.system.size
     value = np.empty((count, width), dtype=np.complex128)
@@ -173,7 +173,7 @@ def multipliers(
         value[part] = np.take_along_axis(found, order, axis=1)
         error[part] = np.take_along_axis(bound, order, axis=1)
 
-    _run(problem, job)
+    run_chunks(problem, job)
     shape = problem.points.shape
     return Multipliers(
         value.reshape(*shape, width),
@@ -201,7 +201,7 @@ def monodromy(
     Monodromy
         Value and error, shape batch + (2n, 2n), with period and number of steps.
     """
-    problem = prepare(eom, values, period, Options(tolerance, 12, max_steps, workers))
+    problem = prepare(eom, values, period, Options(tolerance, max_steps, workers))
     lengths = problem.periods
     count, size = problem.points.count, problem.system.size
     value = np.empty((count, 2 * size, 2 * size))
@@ -218,7 +218,7 @@ def monodromy(
         error[part] = state.error[:, None, None] * ratio
         steps[part] = state.steps
 
-    _run(problem, job)
+    run_chunks(problem, job)
     shape = problem.points.shape
     return Monodromy(
         value.reshape(*shape, 2 * size, 2 * size),
@@ -228,21 +228,11 @@ def monodromy(
     )
 
 
-def _spectrum(
-    problem: Problem, part: slice, *, of_exponents: bool, growth_only: bool
-) -> Spectrum:
+def _spectrum(problem: Problem, part: slice, *, of_exponents: bool, growth_only: bool) -> Spectrum:
     """Multipliers if the coefficients vary in time, eigenvalues if they do not."""
     if problem.system.time_varying:
-        return periodic_spectrum(
-            problem, part, of_exponents=of_exponents, growth_only=growth_only
-        )
+        return periodic_spectrum(problem, part, of_exponents=of_exponents, growth_only=growth_only)
     return constant_spectrum(problem, part)
-
-
-def _run(problem: Problem, job: object) -> None:
-    """`run_chunks` with the sizes of the problem."""
-    width = problem.options.stages * problem.system.size
-    run_chunks(problem.points.count, width, problem.options.workers, job)  # type: ignore[arg-type]
 
 
 def _threshold(threshold: npt.ArrayLike | None, shape: tuple[int, ...]) -> Floats | None:

@@ -97,8 +97,7 @@ def find_periodicity(expressions: Iterable[sp.Expr], time: sp.Symbol) -> Periodi
     return Periodicity(
         base=base,
         arguments=tuple(
-            (argument, ratios[argument] / divisor, phase)
-            for argument, (_, phase) in found.items()
+            (argument, ratios[argument] / divisor, phase) for argument, (_, phase) in found.items()
         ),
     )
 

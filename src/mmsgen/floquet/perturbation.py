@@ -29,6 +29,7 @@ from typing import TypeAlias
 import numpy as np
 import numpy.typing as npt
 import scipy.linalg
+import scipy.linalg.lapack
 
 from .points import Floats
 
@@ -127,18 +128,26 @@ def _disc_bounds(value: Complexes, condition: Floats, error: Floats) -> Floats:
 def _cluster_bounds(
     matrix: Floats, value: Complexes, error: float, doubtful: npt.NDArray[np.intp]
 ) -> Floats:
-    """Bound 3 for some eigenvalues of one matrix: the best over clusters of nearest neighbours."""
+    """Bound 3 for some eigenvalues of one matrix: the smallest cluster that stands by itself."""
     best = np.full(doubtful.size, np.inf)
     size = value.size
     schur, _ = scipy.linalg.schur(matrix, output="complex")
     tried: dict[tuple[int, ...], float] = {}
+    known: dict[complex, float] = {}
     for place, i in enumerate(doubtful):
+        mirror = known.get(complex(value[i].conjugate()))
+        if mirror is not None:  # the matrix is real: conjugate clusters have one bound
+            best[place] = mirror
+            continue
         order = np.argsort(np.abs(value - value[i]), kind="stable")
         for count in range(2, min(LARGEST_CLUSTER, size) + 1):
             members = tuple(sorted(order[:count]))
             if members not in tried:
                 tried[members] = _cluster_bound(schur, value[list(members)], error)
-            best[place] = min(best[place], tried[members])
+            best[place] = tried[members]
+            if np.isfinite(best[place]):
+                break
+        known[complex(value[i])] = float(best[place])
     return best
 
 
@@ -151,14 +160,17 @@ def _cluster_bound(schur: Complexes, members: Complexes, error: float) -> float:
     for member in members:
         nearest = int(np.argmin(np.where(select == 1, np.inf, np.abs(left - member))))
         select[nearest] = 1
-    trsen, trsyl = scipy.linalg.get_lapack_funcs(("trsen", "trsyl"), (schur,))
-    ordered, *_, info = trsen(select, schur, np.eye(size, dtype=complex), job="N")
+    ordered, *_, info = scipy.linalg.lapack.ztrsen(
+        select, schur, np.eye(size, dtype=complex), job="N"
+    )
     if info != 0:
         return float("inf")
     block, other = ordered[:count, :count], ordered[count:, count:]
     projector, separation = 1.0, float("inf")
     if count < size:
-        coupling, factor, info = trsyl(block, other, -ordered[:count, count:], isgn=-1)
+        coupling, factor, info = scipy.linalg.lapack.ztrsyl(
+            block, other, -ordered[:count, count:], isgn=-1
+        )
         if info != 0 or factor == 0:
             return float("inf")
         projector = float(np.hypot(1.0, np.linalg.norm(coupling / factor)))

@@ -33,8 +33,6 @@ class Options:
     tolerance : float
         Error wanted of the returned value, in its own unit. Steps are refined until the estimate
         is below it or rounding is reached, whichever comes first.
-    stages : int
-        Gauss stages; the method has order 2·stages.
     max_steps : int
         Most collocation steps per period. A point that would need more keeps its last estimate
         of the error, inf if that says nothing.
@@ -43,15 +41,12 @@ class Options:
     """
 
     tolerance: float = 1e-9
-    stages: int = 12
     max_steps: int = 4096
     workers: int | None = None
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.tolerance) and self.tolerance > 0):
             raise FloquetError(f"tolerance must be a positive number, got {self.tolerance!r}")
-        if not 5 <= self.stages <= 40:
-            raise FloquetError(f"stages must be between 5 and 40, got {self.stages!r}")
         if self.max_steps < 1:
             raise FloquetError(f"max_steps must be at least 1, got {self.max_steps!r}")
         if self.workers is not None and self.workers < 1:
@@ -81,8 +76,8 @@ class Problem:
 
     @property
     def table(self) -> GaussTable:
-        """The collocation method."""
-        return gauss_table(self.options.stages)
+        """The collocation method: many stages, while the matrices stay small (width 72)."""
+        return gauss_table(min(16, max(8, 72 // self.system.size)))
 
     @property
     def periods(self) -> Floats:
@@ -176,28 +171,27 @@ def _check_period(problem: Problem) -> None:
         raise FloquetError("M, C and K do not repeat after the given period: check period=")
 
 
-def run_chunks(
-    count: int, width: int, workers: int | None, job: Callable[[slice], None]
-) -> None:
-    """Call `job` for slices that together cover `count` points, on several threads.
+def run_chunks(problem: Problem, job: Callable[[slice], None]) -> None:
+    """Call `job` for slices that together cover all points, on several threads.
+
+    LAPACK lets go of the interpreter, so threads suffice. Where the collocation matrices have
+    more than 100 rows OpenBLAS runs threads of its own (measured), and a second layer would only
+    fight with them.
 
     Parameters
     ----------
-    count : int
-        Number of points.
-    width : int
-        Size of the collocation matrices. From 200 on OpenBLAS runs threads of its own, and a
-        second layer of threads would only fight with them.
-    workers : int, optional
-        Threads.
+    problem : Problem
+        The points and the number of threads.
     job : callable
         Fills its slice of the result.
     """
+    count, workers = problem.points.count, problem.options.workers
+    width = problem.table.stages * problem.system.size
     chunk = min(CHUNK, max(32, -(-count // 2)))
     slices = [slice(start, min(start + chunk, count)) for start in range(0, count, chunk)]
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     threads = min(workers or cores or 1, len(slices))
-    if threads <= 1 or width >= 200:
+    if threads <= 1 or width > 100:
         for part in slices:
             job(part)
         return

@@ -20,8 +20,8 @@ from .system import PeriodicSystem
 __all__ = ["Propagation", "balance", "propagate", "scan_coefficients"]
 
 EPS = float(np.finfo(np.float64).eps)
-CELLS = 32
-"""Steps solved in one LAPACK call: 32 collocation matrices of size 72 fit a second-level cache."""
+BLOCK = 200_000
+"""Numbers in the collocation matrices of one LAPACK call: they fit a second-level cache."""
 LADDER = tuple(sorted({m << k for m in (4, 5, 6, 7) for k in range(16)} | {1, 2, 3}))
 """Numbers of steps that are used: few enough that points form groups, at most a third apart."""
 ROUNDING = 4.0
@@ -57,7 +57,8 @@ class Propagation:
         total = self.truncation + self.rounding
         size = two_norm(self.matrix)
         # Beyond a tenth of the matrix itself the Legendre tail has not begun to fall.
-        return np.where(np.isfinite(total) & np.isfinite(size) & (total < 0.1 * size), total, np.inf)
+        known = np.isfinite(total) & np.isfinite(size) & (total < 0.1 * size)
+        return np.where(known, total, np.inf)
 
 
 @dataclass(frozen=True)
@@ -134,7 +135,7 @@ def scan_coefficients(system: PeriodicSystem, arrays: dict[str, Floats], period:
     size = system.size
     points = period.size
     with np.errstate(all="ignore"):
-        finite = np.isfinite(data).all(axis=(0, 2, 3, 4))
+        finite = np.asarray(np.isfinite(data).all(axis=(0, 2, 3, 4)))
         identity = np.eye(size)
         safe = np.where(finite[None, :, None, None], mass, identity)
         inverse = np.linalg.inv(safe)
@@ -156,7 +157,7 @@ def check_mass(mass: Floats) -> None:
     with np.errstate(all="ignore"):
         rows = np.sqrt((mass**2).sum(axis=-1))
         scaled = np.where(rows[..., None] > 0, mass / rows[..., None], 0.0)
-        finite = np.isfinite(scaled).all(axis=(-1, -2))
+        finite = np.asarray(np.isfinite(scaled).all(axis=(-1, -2)))
         scaled = np.where(finite[..., None, None], scaled, np.eye(mass.shape[-1]))
         singular = np.abs(np.linalg.det(scaled)) < 1e-13
     if np.any(singular):
@@ -244,6 +245,11 @@ class _Work:
     table: GaussTable
     ladder: npt.NDArray[np.int64]
 
+    @property
+    def cells(self) -> int:
+        """Steps to be solved in one call."""
+        return min(512, max(8, BLOCK // (self.table.stages * self.system.size) ** 2))
+
     def needed(self, state: Propagation, index: npt.NDArray[np.intp]) -> Floats:
         """Steps at which the target would be met, by the order 2s of the method."""
         goal = np.maximum(self.target[index], state.rounding[index])
@@ -267,7 +273,7 @@ class _Work:
 
     def _group(self, state: Propagation, index: npt.NDArray[np.intp], count: int) -> None:
         """All points with the same number of steps, a cache-sized block at a time."""
-        block = max(1, CELLS // count)
+        block = max(1, self.cells // count)
         for start in range(0, index.size, block):
             part = index[start : start + block]
             matrix, cut, rounding = self._points(part, count)
@@ -282,7 +288,7 @@ class _Work:
         width = scale.shape[1]
         transition = np.empty((count, part.size, width, width))
         cut = np.empty((count, part.size))
-        batch = max(1, CELLS // part.size)
+        batch = max(1, self.cells // part.size)
         for start in range(0, count, batch):
             stop = min(count, start + batch)
             begin = np.arange(start, stop)
@@ -306,9 +312,7 @@ class _Work:
             return _product(transition, cut, self.scan.condition[part])
 
 
-def _product(
-    transition: Floats, cut: Floats, condition: Floats
-) -> tuple[Floats, Floats, Floats]:
+def _product(transition: Floats, cut: Floats, condition: Floats) -> tuple[Floats, Floats, Floats]:
     """Multiply the steps of each point and carry their errors to the end of the period.
 
     The error of a product is Σ_k (later steps)·error_k·(earlier steps), to first order: norms of

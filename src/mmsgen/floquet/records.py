@@ -9,7 +9,6 @@ from typing import Any, TypeAlias
 import numpy as np
 import numpy.typing as npt
 
-from .perturbation import Complexes
 from .points import Floats
 
 __all__ = ["Exponents", "GrowthRate", "Monodromy", "Multipliers", "Verdict", "judge"]

@@ -101,7 +101,7 @@ def periodic_spectrum(
         missed = ~(error <= tolerance)
     else:
         error = np.maximum(spectrum.below, spectrum.above) if of_exponents else spectrum.radius
-        missed = ~(error <= tolerance).all(axis=1)
+        missed = ~np.asarray((error <= tolerance).all(axis=1))
     missed &= first.truncation > first.rounding
     missed &= first.steps > 0
     again = np.arange(period.size)[missed]

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any, Protocol
 
 import numpy as np
@@ -27,11 +28,11 @@ class LinearEquations(Protocol):
     """What is needed of the equations of motion: M q'' + C q' + K q = f and its symbols."""
 
     @property
-    def M(self) -> sp.ImmutableDenseMatrix: ...  # noqa: D102, N802
+    def M(self) -> sp.ImmutableDenseMatrix: ...  # noqa: D102
     @property
-    def C(self) -> sp.ImmutableDenseMatrix: ...  # noqa: D102, N802
+    def C(self) -> sp.ImmutableDenseMatrix: ...  # noqa: D102
     @property
-    def K(self) -> sp.ImmutableDenseMatrix: ...  # noqa: D102, N802
+    def K(self) -> sp.ImmutableDenseMatrix: ...  # noqa: D102
     @property
     def time(self) -> sp.Symbol: ...  # noqa: D102
     @property
@@ -251,7 +252,7 @@ def _symbols(expressions: Sequence[sp.Expr], time: sp.Symbol) -> tuple[sp.Symbol
         found |= expression.free_symbols
     found.discard(time)
     symbols = tuple(sorted(found, key=lambda s: str(s.name)))
-    for left, right in zip(symbols, symbols[1:], strict=False):
+    for left, right in pairwise(symbols):
         if left.name == right.name:
             raise FloquetError(f"two different symbols are called {left.name!r}: rename one")
     return symbols
