@@ -132,7 +132,7 @@ def _without_vanishing_phases(expr: sp.Expr) -> sp.Expr:
     vanishing = [
         term
         for members in groups.values()
-        if len(members) > 2 and _phases_cancel([(c, r) for _, c, r in members])
+        if len(members) > 1 and _phases_cancel([(c, r) for _, c, r in members])
         for term, _, _ in members
     ]
     return expr - sp.Add(*vanishing) if vanishing else expr
