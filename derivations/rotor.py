@@ -82,7 +82,7 @@ _BLADE = [
 def _of_blade(parameter: Parameter, k: int) -> Parameter:
     """The parameter of blade k: m_1, I_1, K_b1, c_b1."""
     name = f"{parameter.name}{k}" if "_" in parameter.name else f"{parameter.name}_{k}"
-    symbol = sp.Symbol(name, **parameter.symbol._assumptions_orig)
+    (symbol,) = _positive(name) if parameter.symbol.is_positive else _nonnegative(name)
     return Parameter(symbol, parameter.unit, parameter.meaning.replace("a blade", f"blade {k}"))
 
 
