@@ -1,7 +1,53 @@
-"""From a Lagrangian to certified stability boundaries by the method of multiple scales."""
+"""From a Lagrangian to certified stability boundaries by the method of multiple scales.
+
+    model -> equations of motion -> scaled system -> expansion -> slow flow -> boundary -> code
+
+Each stage is a record with a method that makes the next one; `floquet` is the independent
+reference.
+"""
 
 from __future__ import annotations
 
+from . import floquet
 from ._version import __version__
+from .equations import EquationsOfMotion
+from .errors import (
+    CertificateError,
+    EmissionError,
+    ExpansionError,
+    FloquetError,
+    MmsgenError,
+    ModelError,
+    ResonanceError,
+    ScalingError,
+)
+from .expansion import Expansion
+from .model import Model
+from .parameters import Parameter
+from .resonance import Resonance
+from .scaling import ScaledSystem
+from .slowflow import SlowFlow
+from .symbols import epsilon
+from .tables import ResonanceTable
 
-__all__ = ["__version__"]
+__all__ = [
+    "CertificateError",
+    "EmissionError",
+    "EquationsOfMotion",
+    "Expansion",
+    "ExpansionError",
+    "FloquetError",
+    "MmsgenError",
+    "Model",
+    "ModelError",
+    "Parameter",
+    "Resonance",
+    "ResonanceError",
+    "ResonanceTable",
+    "ScaledSystem",
+    "ScalingError",
+    "SlowFlow",
+    "__version__",
+    "epsilon",
+    "floquet",
+]

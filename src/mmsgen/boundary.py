@@ -21,11 +21,12 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from .edges import EdgeSeries, edge_series, weighted_parts
 from .errors import ExpansionError
 from .expressions import FieldSymbols
 from .factoring import MonicFactor
 from .field import Coefficient, sign, split_generator
-from .numeric import evaluate
+from .numeric import Evaluator
 from .parameters import Parameter
 from .zones import unstable_zone
 
@@ -48,6 +49,8 @@ class FactorVerdict:
         Whether it can be unstable for some detuning; None where that depends on the parameters.
     reason : str
         Why.
+    edges : EdgeSeries or None
+        The edges of the unstable interval, where they have a closed form.
     """
 
     factor: MonicFactor
@@ -55,6 +58,7 @@ class FactorVerdict:
     criterion: tuple[Coefficient, ...]
     unstable: bool | None
     reason: str
+    edges: EdgeSeries | None = None
 
 
 @dataclass(frozen=True)
@@ -111,20 +115,28 @@ class Stability:
         return judged[0]
 
     def boundary(self) -> tuple[sp.Expr, ...]:
-        """Both edges of the unstable interval in closed form; empty where there is none."""
+        """Both edges of the unstable interval in closed form; empty where there is none.
+
+        The roots of the criterion, re-expanded in ε and kept through the order of the expansion.
+
+        Raises
+        ------
+        ExpansionError
+            If the criterion is not quadratic in the detuning to leading order.
+        """
         if self.critical is None:
             return ()
-        criterion = [self.symbols(c) for c in self.critical.criterion]
-        if len(criterion) != 3:
+        edges = self.critical.edges
+        if edges is None:
             raise ExpansionError(
-                f"the boundary is a polynomial of degree {len(criterion) - 1} in the detuning: "
-                "it has no closed form that is worth reading; use boundaries(values)"
+                f"the boundary is a polynomial of degree {len(self.critical.criterion) - 1} in the "
+                "detuning, not quadratic to leading order: it has no closed form that is worth "
+                "reading; use boundaries(values)"
             )
-        p0, p1, p2 = self.critical.criterion
-        inside = p1 * p1 - (p0 * p2).scale(4)
-        root, centre = sp.sqrt(self.symbols(inside)), -self.symbols(p1)
-        double = 2 * self.symbols(p2)  # p2 < 0: the criterion is positive between the roots
-        return (centre + root) / double, (centre - root) / double
+        root = sp.sqrt(self.symbols(edges.radicand))
+        centre = sp.Add(*(self.symbols(a) for a in edges.rational))
+        half = sp.Add(*(self.symbols(b) * root for b in edges.radical))
+        return centre - half, centre + half
 
     def boundaries(self, values: Mapping[Any, Any]) -> Any:
         """Both edges for numbers; NaN where there is no unstable interval."""
@@ -132,9 +144,118 @@ class Stability:
         if self.critical is None:
             shapes = [np.shape(v) for v in numbers.values()]
             return np.full((*np.broadcast_shapes(*shapes), 2), np.nan)
+        return unstable_zone([np.real(c) for c in self._criterion(numbers)])
+
+    @cached_property
+    def _criterion(self) -> Evaluator:
+        assert self.critical is not None
         expressions = [self.symbols(c) for c in self.critical.criterion]
-        coefficients = evaluate(expressions, self.parameters, numbers)
-        return unstable_zone([np.real(c) for c in coefficients])
+        return Evaluator(expressions, self.parameters)
+
+
+@dataclass(frozen=True)
+class _Judge:
+    """What is needed to judge a factor."""
+
+    symbols: FieldSymbols
+    positive: frozenset[str]
+    weights: Mapping[str, int]
+    detuning: str | None
+    order: int
+
+    def verdict(self, factor: MonicFactor) -> FactorVerdict:
+        """The verdict on one factor."""
+        degree = factor.degree
+        conservative = all(
+            not _imaginary(c.times_i(k - degree)) for k, c in enumerate(factor.coefficients)
+        )
+        if degree == 1:
+            return self._linear(factor)
+        if conservative and degree <= 3:
+            return self._conservative(factor)
+        if degree == 2:
+            return self._dissipative(factor)
+        reason = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
+        return FactorVerdict(factor, "unjudged", (), None, reason)
+
+    def _leading(self, c: Coefficient) -> Coefficient:
+        """The part of lowest order in ε: it sets the sign as ε → 0."""
+        parts = weighted_parts(c, self.weights)
+        return parts[min(parts)] if parts else c
+
+    def _linear(self, factor: MonicFactor) -> FactorVerdict:
+        damping = _real(factor.coefficients[0])
+        if not damping:
+            return FactorVerdict(factor, "neutral", (), False, "one mode turns without growing")
+        s = sign(self._leading(damping), self.positive)
+        reason = f"one mode decays at the rate {self.symbols(damping)}"
+        return FactorVerdict(factor, "damped", (), None if s is None else s < 0, reason)
+
+    def _by_detuning(self, c: Coefficient) -> tuple[Coefficient, ...]:
+        if self.detuning is None:
+            return (c,)
+        parts = split_generator(c, self.detuning)
+        return tuple(parts.get(k, c.field.zero) for k in range(max(parts, default=0) + 1))
+
+    def _edges(self, criterion: tuple[Coefficient, ...]) -> EdgeSeries | None:
+        if self.detuning is None:
+            return None
+        return edge_series(criterion, self.detuning, self.weights, self.order)
+
+    def _conservative(self, factor: MonicFactor) -> FactorVerdict:
+        discriminant = _discriminant(factor)
+        name = "the discriminant of " + self._shown(factor)
+        if not discriminant:
+            reason = f"{name} vanishes identically"
+            return FactorVerdict(factor, "conservative", (), False, reason)
+        criterion = self._by_detuning(discriminant)
+        edges = self._edges(criterion)
+        if edges is None:
+            return self._constant(factor, criterion, name)
+        s = sign(edges.radicand, self.positive)
+        if s == -1:
+            reason = f"{name} is negative at every detuning: the modes only exchange energy"
+            return FactorVerdict(factor, "conservative", criterion, False, reason)
+        reason = f"{name} is positive in an interval of the detuning"
+        if s is None:
+            reason += f" if {self.symbols(edges.radicand)} > 0"
+        return FactorVerdict(
+            factor, "conservative", criterion, None if s is None else True, reason, edges
+        )
+
+    def _constant(
+        self, factor: MonicFactor, criterion: tuple[Coefficient, ...], name: str
+    ) -> FactorVerdict:
+        """A criterion that is not quadratic in the detuning to leading order."""
+        degree = len(criterion) - 1
+        if degree:
+            reason = f"the sign of {name}, of degree {degree} in the detuning, decides"
+            return FactorVerdict(factor, "conservative", criterion, None, reason)
+        s = sign(self._leading(criterion[0]), self.positive)
+        word = {None: "decides", 1: "is positive", -1: "is negative"}[s]
+        unstable = None if s is None else s > 0
+        return FactorVerdict(factor, "conservative", criterion, unstable, f"{name} {word}")
+
+    def _dissipative(self, factor: MonicFactor) -> FactorVerdict:
+        c, b, _ = factor.coefficients
+        br, bi, cr, ci = _real(b), _imaginary(b), _real(c), _imaginary(c)
+        value = ci * ci - br * br * cr - br * bi * ci
+        criterion = self._by_detuning(value)
+        edges = self._edges(criterion)
+        reason = f"{self._shown(factor)} is damped"
+        if edges is not None:
+            reason += f", and unstable near resonance if {self.symbols(edges.radicand)} > 0"
+        s = None if edges is None else sign(edges.radicand, self.positive)
+        unstable = None if s is None else s > 0
+        return FactorVerdict(factor, "dissipative", criterion, unstable, reason, edges)
+
+    def _shown(self, factor: MonicFactor) -> str:
+        """The factor to leading order, which carries the argument."""
+        gamma = sp.Symbol("Gamma")
+        terms = (
+            self.symbols(self._leading(c)) * gamma**k for k, c in enumerate(factor.coefficients)
+        )
+        return str(sp.Add(*terms))
 
 
 def stability(
@@ -142,6 +263,8 @@ def stability(
     symbols: FieldSymbols,
     parameters: Sequence[Parameter],
     detunings: Sequence[sp.Symbol],
+    weights: Mapping[str, int],
+    order: int,
 ) -> Stability:
     """Judge every factor of a characteristic polynomial.
 
@@ -152,10 +275,16 @@ def stability(
     parameters : sequence of Parameter
     detunings : sequence of sympy.Symbol
         The first is varied; without any, the criterion is a constant.
+    weights : mapping
+        Order in ε of every small generator and detuning.
+    order : int
+        Order of the expansion.
     """
     positive = frozenset(p.name for p in parameters if p.symbol.is_positive)
     detuning = detunings[0] if detunings else None
-    verdicts = tuple(_judge(f, symbols, positive, detuning) for f in factors)
+    name = None if detuning is None else str(detuning.name)
+    judge = _Judge(symbols, positive, weights, name, order)
+    verdicts = tuple(judge.verdict(f) for f in factors)
     return Stability(verdicts, symbols, tuple(parameters), detuning)
 
 
@@ -165,89 +294,6 @@ def _real(c: Coefficient) -> Coefficient:
 
 def _imaginary(c: Coefficient) -> Coefficient:
     return (c - c.conjugate()).times_i(-1).scale(Fraction(1, 2))
-
-
-def _judge(
-    factor: MonicFactor,
-    symbols: FieldSymbols,
-    positive: frozenset[str],
-    detuning: sp.Symbol | None,
-) -> FactorVerdict:
-    degree = factor.degree
-    conservative = all(
-        not _imaginary(c.times_i(k - degree)) for k, c in enumerate(factor.coefficients)
-    )
-    if degree == 1:
-        return _judge_linear(factor, symbols, positive)
-    if conservative and degree <= 3:
-        return _judge_conservative(factor, symbols, positive, detuning)
-    if degree == 2:
-        return _judge_dissipative(factor, symbols, detuning)
-    reason = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
-    return FactorVerdict(factor, "unjudged", (), None, reason)
-
-
-def _judge_linear(
-    factor: MonicFactor, symbols: FieldSymbols, positive: frozenset[str]
-) -> FactorVerdict:
-    damping = _real(factor.coefficients[0])
-    if not damping:
-        return FactorVerdict(factor, "neutral", (), False, "one mode turns without growing")
-    s = sign(damping, positive)
-    unstable = None if s is None else s < 0
-    reason = f"one mode decays at the rate {symbols(damping)}"
-    return FactorVerdict(factor, "damped", (), unstable, reason)
-
-
-def _by_detuning(c: Coefficient, detuning: sp.Symbol | None) -> tuple[Coefficient, ...]:
-    if detuning is None or str(detuning.name) not in c.field.names:
-        return (c,)
-    parts = split_generator(c, str(detuning.name))
-    return tuple(parts.get(k, c.field.zero) for k in range(max(parts, default=0) + 1))
-
-
-def _judge_conservative(
-    factor: MonicFactor,
-    symbols: FieldSymbols,
-    positive: frozenset[str],
-    detuning: sp.Symbol | None,
-) -> FactorVerdict:
-    discriminant = _discriminant(factor)
-    criterion = _by_detuning(discriminant, detuning)
-    name = "the discriminant of " + _shown(factor, symbols)
-    if not discriminant:
-        return FactorVerdict(factor, "conservative", (), False, f"{name} vanishes identically")
-    if len(criterion) == 3 and sign(criterion[2], frozenset(positive)) == -1:
-        p0, p1, p2 = criterion
-        inside = p1 * p1 - (p0 * p2).scale(4)
-        s = sign(inside, positive)
-        if s == -1:
-            reason = f"{name} is negative for every detuning: the two modes exchange energy"
-        elif s == 1:
-            reason = f"{name} is positive in an interval of the detuning: the two modes feed it"
-        else:
-            reason = f"{name} is positive in an interval of the detuning if {symbols(inside)} > 0"
-        return FactorVerdict(
-            factor, "conservative", criterion, None if s is None else s > 0, reason
-        )
-    return FactorVerdict(
-        factor, "conservative", criterion, None, f"{name} decides, of degree {len(criterion) - 1}"
-    )
-
-
-def _judge_dissipative(
-    factor: MonicFactor, symbols: FieldSymbols, detuning: sp.Symbol | None
-) -> FactorVerdict:
-    c, b, _ = factor.coefficients
-    br, bi, cr, ci = _real(b), _imaginary(b), _real(c), _imaginary(c)
-    criterion = ci * ci - br * br * cr - br * bi * ci
-    reason = f"{_shown(factor, symbols)} is unstable where {symbols(criterion)} > 0"
-    return FactorVerdict(factor, "dissipative", _by_detuning(criterion, detuning), None, reason)
-
-
-def _shown(factor: MonicFactor, symbols: FieldSymbols) -> str:
-    gamma = sp.Symbol("Gamma")
-    return str(sp.Add(*(symbols(c) * gamma**k for k, c in enumerate(factor.coefficients))))
 
 
 def _discriminant(factor: MonicFactor) -> Coefficient:

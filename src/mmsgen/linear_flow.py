@@ -19,7 +19,7 @@ import sympy as sp
 from .boundary import Stability, stability
 from .factoring import MonicFactor, factor_monic
 from .field import Coefficient
-from .numeric import evaluate
+from .numeric import Evaluator
 from .parameters import Parameter
 
 if TYPE_CHECKING:
@@ -40,16 +40,20 @@ class Block:
     nodes : tuple of Node
     entries : tuple of tuple of Coefficient
         The square matrix of the block.
-    polynomial : tuple of Coefficient
-        Characteristic polynomial, coefficient of Γ^k at index k; the last is 1.
-    factors : tuple of MonicFactor
-        Its factors over the rationals.
     """
 
     nodes: tuple[Node, ...]
     entries: tuple[tuple[Coefficient, ...], ...]
-    polynomial: tuple[Coefficient, ...]
-    factors: tuple[MonicFactor, ...]
+
+    @cached_property
+    def polynomial(self) -> tuple[Coefficient, ...]:
+        """Characteristic polynomial, coefficient of Γ^k at index k; the last is 1."""
+        return _characteristic(self.entries)
+
+    @cached_property
+    def factors(self) -> tuple[MonicFactor, ...]:
+        """The monic factors of the characteristic polynomial over the rationals."""
+        return factor_monic(self.polynomial)
 
 
 @dataclass(frozen=True)
@@ -111,23 +115,27 @@ class LinearFlow:
         """Whether the flow can be unstable, why, and where."""
         case = self.flow.case
         sigmas = tuple(r.detuning for r in case.relations)
-        return stability(self.factors, case.symbols, case.parameters, sigmas)
+        weights = {**case.weak.scaled.generator_orders, **{str(s.name): 1 for s in sigmas}}
+        return stability(self.factors, case.symbols, case.parameters, sigmas, weights, case.order)
+
+    @cached_property
+    def _entries(self) -> Evaluator:
+        """The entries of all blocks, row by row."""
+        show = self.flow.case.symbols
+        flat = [show(c) for block in self.blocks for row in block.entries for c in row]
+        return Evaluator(flat, self.flow.case.parameters)
 
     def growth_rate(self, values: Mapping[Any, Any]) -> Any:
         """Largest real part of the eigenvalues of the matrix."""
-        rates = []
+        numbers = np.broadcast_arrays(*self._entries(values))
+        rates, start = [], 0
         for block in self.blocks:
-            show = self.flow.case.symbols
-            rows = [[show(c) for c in row] for row in block.entries]
-            flat = [e for row in rows for e in row]
-            numbers = evaluate(flat, self.flow.case.parameters, values)
-            shape = np.broadcast_shapes(*(np.shape(x) for x in numbers))
-            n = len(rows)
-            matrix = np.empty((*shape, n, n), dtype=complex)
-            for k, x in enumerate(numbers):
-                matrix[..., k // n, k % n] = x
+            n = len(block.nodes)
+            flat = np.stack(numbers[start : start + n * n], axis=-1)
+            matrix = flat.reshape(*flat.shape[:-1], n, n).astype(complex)
             rates.append(np.linalg.eigvals(matrix).real.max(axis=-1))
-        return np.max(np.broadcast_arrays(*rates), axis=0)
+            start += n * n
+        return np.max(rates, axis=0)
 
 
 def linear_flow(flow: SlowFlow) -> LinearFlow:
@@ -137,8 +145,7 @@ def linear_flow(flow: SlowFlow) -> LinearFlow:
     for nodes in _components(flow.case.weak.ring.n, entries):
         zero = flow.case.weak.ring.field.zero
         rows = tuple(tuple(entries.get((a, b), zero) for b in nodes) for a in nodes)
-        polynomial = _characteristic(rows)
-        blocks.append(Block(nodes, rows, polynomial, factor_monic(polynomial)))
+        blocks.append(Block(nodes, rows))
     return LinearFlow(flow, tuple(blocks))
 
 

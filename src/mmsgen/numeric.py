@@ -11,7 +11,7 @@ import sympy as sp
 from .errors import MmsgenError
 from .parameters import Parameter, by_name
 
-__all__ = ["evaluate", "named_values"]
+__all__ = ["Evaluator", "named_values"]
 
 
 def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> dict[str, Any]:
@@ -58,28 +58,39 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
     return table
 
 
-def evaluate(
-    expressions: Sequence[sp.Expr], parameters: Sequence[Parameter], values: Mapping[Any, Any]
-) -> list[Any]:
-    """Evaluate expressions in the parameters, in complex double precision.
+class Evaluator:
+    """Expressions in parameters, compiled once for numbers.
 
     Parameters
     ----------
     expressions : sequence of sympy.Expr
     parameters : sequence of Parameter
         Those that may occur.
-    values : mapping
-        Symbol or name → number or array; arrays broadcast.
-
-    Raises
-    ------
-    MmsgenError
-        If a parameter that occurs has no value, or as for `named_values`.
     """
-    table = named_values(parameters, values)
-    needed = [p for p in parameters if any(e.has(p.symbol) for e in expressions)]
-    missing = [p.name for p in needed if p.name not in table]
-    if missing:
-        raise MmsgenError(f"no value is given for {', '.join(missing)}")
-    function = sp.lambdify([p.symbol for p in needed], list(expressions), "numpy", cse=True)
-    return [np.asarray(x) for x in function(*(table[p.name] for p in needed))]
+
+    def __init__(self, expressions: Sequence[sp.Expr], parameters: Sequence[Parameter]) -> None:
+        self.parameters = tuple(parameters)
+        present = set().union(*(e.free_symbols for e in expressions))
+        self.needed = tuple(p for p in parameters if p.symbol in present)
+        self._function = sp.lambdify(
+            [p.symbol for p in self.needed], list(expressions), "numpy", cse=True
+        )
+
+    def __call__(self, values: Mapping[Any, Any]) -> list[Any]:
+        """Evaluate the expressions at numbers or arrays that broadcast.
+
+        Parameters
+        ----------
+        values : mapping
+            Symbol or name → number or array.
+
+        Raises
+        ------
+        MmsgenError
+            If a parameter that occurs has no value, or as for `named_values`.
+        """
+        table = named_values(self.parameters, values)
+        missing = [p.name for p in self.needed if p.name not in table]
+        if missing:
+            raise MmsgenError(f"no value is given for {', '.join(missing)}")
+        return [np.asarray(x) for x in self._function(*(table[p.name] for p in self.needed))]

@@ -20,8 +20,9 @@ from .expansion import Expansion, expand
 from .grading import Grading
 from .leading import GradedTerm, LinearForm, graded_terms, leading_order
 from .relations import solve_relations
-from .resonance import ResonanceTable, enumerate_resonances
+from .resonance import enumerate_resonances
 from .symbols import coordinate_name
+from .tables import ResonanceTable
 from .taylor import Polynomial, Taylor
 from .weak import WeakSystem, weak_system
 
@@ -158,7 +159,7 @@ class ScaledSystem:
         return taylor, [graded_terms(taylor, p, grading, j) for j, p in enumerate(polynomials)]
 
     @cached_property
-    def _order_by_name(self) -> dict[str, int]:
+    def generator_orders(self) -> dict[str, int]:
         """Order of every generator of the field; a root of a parameter takes its share."""
         result = {}
         for symbol, order in self.orders:
@@ -173,7 +174,7 @@ class ScaledSystem:
     @cached_property
     def natural_frequencies(self) -> tuple[LinearForm, ...]:
         """ω_j of each coordinate as a linear form in frequency symbols."""
-        grading = Grading(self.alphabet.field, self._order_by_name)
+        grading = Grading(self.alphabet.field, self.generator_orders)
         taylor, terms = self.graded(grading)
         return leading_order(taylor, terms, grading.field)[1]
 
@@ -221,7 +222,7 @@ class ScaledSystem:
             if self.alphabet.roots.get(name, 1) != 1:
                 raise ScalingError(f"a root of the detuned frequency {name} occurs: name it")
         sigmas = [str(r.detuning.name) for r in relations]
-        grading = Grading(self.alphabet.field, self._order_by_name, detuned, sigmas, order)
+        grading = Grading(self.alphabet.field, self.generator_orders, detuned, sigmas, order)
         taylor, terms = self.graded(grading)
         return weak_system(self, taylor, terms, grading, relations, detuned)
 
