@@ -18,9 +18,10 @@ from .errors import ExpansionError, ResonanceError
 from .expressions import FieldSymbols, rational, series_expression
 from .parameters import Parameter
 from .relations import Relation
+from .residual import residual_series
 from .slowflow import SlowFlow, slow_flow
 from .solver import Solver
-from .symbols import amplitude, time_scale
+from .symbols import amplitude, epsilon, time_scale
 from .weak import WeakSystem
 
 __all__ = ["Expansion", "expand"]
@@ -153,6 +154,29 @@ class Expansion:
                 self.weak.ring, equations[j].secular, self.symbols, self.slow_monomial
             )
             for j, q in enumerate(self.coordinates)
+        }
+
+    def residual(self) -> dict[sp.Expr, sp.Expr]:
+        """What is left of each equation when the expansion is put back in, through ε^order.
+
+        Returns
+        -------
+        dict
+            {q_j: expression}; every one is exactly zero for a correct expansion.
+        """
+        solver = Solver(self.weak)
+        solver.solve_order_zero()
+        for p in range(1, self.order + 1):
+            solver.solve_order(p)
+        return {
+            q: sp.Add(
+                *(
+                    epsilon**p
+                    * series_expression(self.weak.ring, part, self.symbols, self.fast_monomial)
+                    for p, part in enumerate(parts)
+                )
+            )
+            for q, parts in zip(self.coordinates, residual_series(self.weak, solver), strict=True)
         }
 
     @cached_property
