@@ -12,7 +12,7 @@ into growth, so one extrapolation to g = 0 serves both.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -122,7 +122,9 @@ def boundary(
     options = Options(tolerance, max_steps, workers)
 
     def rate(at: Floats) -> GrowthRate:
-        problem = prepare(eom, {**others, name: at.ravel()}, period, options)
+        # Against the level of growth sought, a thousandth of it is small.
+        rough = replace(options, enough=1e-3 * level if extrapolate else 0.0)
+        problem = prepare(eom, {**others, name: at.ravel()}, period, rough)
         return growth(problem, None)
 
     grid = np.linspace(low, high, points)

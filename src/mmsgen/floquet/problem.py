@@ -38,11 +38,15 @@ class Options:
         of the error, inf if that says nothing.
     workers : int, optional
         Threads; by default as many as there are cores for this process.
+    enough : float
+        An exponent known to this, in s⁻¹, is not looked at more closely, even if the tolerance is
+        smaller: sharpening the bounds of colliding multipliers takes a millisecond each.
     """
 
     tolerance: float = 1e-9
     max_steps: int = 4096
     workers: int | None = None
+    enough: float = 0.0
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.tolerance) and self.tolerance > 0):

@@ -224,7 +224,24 @@ def propagate(
         needed = work.needed(state, pilots) / demand[pilots]
         rest = np.setdiff1d(usable, pilots)
         work.refine(state, rest, _rung(ladder, np.quantile(needed, 0.9) * demand[rest]))
+    _explain(work, np.flatnonzero(np.isinf(state.error) & np.isfinite(scan.rate)))
     return state
+
+
+def _explain(work: _Work, failed: npt.NDArray[np.intp]) -> None:
+    """Raise FloquetError if points failed because M becomes singular within the period."""
+    for point in failed[:64]:
+        arrays = {name: array[point : point + 1] for name, array in work.arrays.items()}
+        phase = np.linspace(0, 2 * np.pi, 256, endpoint=False)
+        mass = work.system.coefficients(phase, arrays, work.period[point : point + 1])[..., 0]
+        check_mass(mass)
+        with np.errstate(all="ignore"):
+            sign = np.sign(np.linalg.det(mass))
+        if (sign > 0).any() and (sign < 0).any():
+            raise FloquetError(
+                "the mass matrix M(t) is singular at some time of the period: its determinant "
+                "changes sign, and the accelerations become infinite"
+            )
 
 
 def _rung(ladder: npt.NDArray[np.int64], steps: Floats) -> npt.NDArray[np.int64]:

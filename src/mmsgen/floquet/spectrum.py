@@ -95,7 +95,8 @@ def periodic_spectrum(
     tolerance = problem.options.tolerance
     relative = np.minimum(tolerance * period, 0.1) if of_exponents else tolerance + 0 * period
     first = monodromy_chunk(problem, part, np.minimum(0.01 * relative, 1e-6))
-    spectrum = _multipliers(first, period, relative)
+    enough = np.maximum(relative, np.minimum(problem.options.enough * period, 0.1))
+    spectrum = _multipliers(first, period, enough)
     if growth_only:
         error = spectrum.growth_error
         missed = ~(error <= tolerance)
@@ -109,7 +110,7 @@ def periodic_spectrum(
         return spectrum
     index = np.arange(problem.points.count)[part][again]
     second = monodromy_chunk(problem, index, np.zeros(again.size))
-    better = _multipliers(second, period[again], relative[again])
+    better = _multipliers(second, period[again], enough[again])
     for old, new in zip(_fields(spectrum), _fields(better), strict=True):
         old[again] = new
     return spectrum
