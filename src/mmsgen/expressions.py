@@ -9,6 +9,7 @@ import sympy as sp
 from flint import fmpq_mpoly
 
 from .field import Coefficient, ParameterField
+from .partial_fractions import partial_fractions
 from .series import HarmonicRing, Series
 
 __all__ = ["FieldSymbols", "rational", "series_expression"]
@@ -54,7 +55,11 @@ class FieldSymbols:
         return sp.exp(2 * sp.pi * sp.I * sp.Rational(k, self.field.roots.n))
 
     def __call__(self, c: Coefficient) -> sp.Expr:
-        """A coefficient, its numerator factored and its divisors kept apart."""
+        """A coefficient as a sum over its divisors where that is shorter, else as one fraction."""
+        return sp.Add(*(self._fraction(part) for part in partial_fractions(c)))
+
+    def _fraction(self, c: Coefficient) -> sp.Expr:
+        """A coefficient as one fraction, its numerator factored and its divisors kept apart."""
         if not c.num:
             return sp.Integer(0)
         (_, common), *others = sorted(c.num.items())

@@ -49,6 +49,8 @@ class WeakSystem:
         Index of a phasor → D1 z / z = iσ.
     free_frequency : tuple of LinearForm
         For each variable a_j, then each phasor: its frequency before the relations are imposed.
+    detuned : mapping
+        Each frequency symbol that a relation has eliminated: its resonant value and detuning.
     """
 
     scaled: ScaledSystem
@@ -59,6 +61,7 @@ class WeakSystem:
     forcing: tuple[Series, ...]
     rates: dict[int, Coefficient]
     free_frequency: tuple[LinearForm, ...]
+    detuned: Mapping[str, Detuned]
 
 
 def _detuned_form(form: LinearForm, detuned: Mapping[str, Detuned]) -> LinearForm:
@@ -129,6 +132,7 @@ def weak_system(
         tuple(forcing),
         rates,
         (*scaled.natural_frequencies, *phasors),
+        dict(detuned),
     )
 
 
