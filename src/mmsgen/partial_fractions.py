@@ -26,7 +26,8 @@ def partial_fractions(c: Coefficient) -> tuple[Coefficient, ...]:
     tuple of Coefficient
         The coefficient alone where a sum is not shorter.
     """
-    best, size = (c,), _size(c)
+    best: tuple[Coefficient, ...] = (c,)
+    size = _size(c)
     for name in reversed(c.field.names):
         poles = _simple_poles(c, name)
         if len(poles) < 2:

@@ -1,0 +1,245 @@
+"""A derivation as a readable document: formulas that print as LaTeX in a notebook, else as text.
+
+The functions here only arrange what the records hold; nothing is derived in this module.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import sympy as sp
+
+from .hierarchy import hierarchy
+from .symbols import coordinate_name
+from .tables import relation_latex
+
+if TYPE_CHECKING:
+    from .expansion import Expansion
+    from .parameters import Parameter
+    from .scaling import ScaledSystem
+
+__all__ = [
+    "Formula",
+    "boundary",
+    "case_title",
+    "equations",
+    "orders",
+    "parameter_table",
+    "polynomial",
+    "secular",
+    "solvability",
+]
+
+LINE = 260
+"""Characters of LaTeX on one line, about the width of a page."""
+
+
+@dataclass(frozen=True)
+class Formula:
+    """Lines of LaTeX, aligned at their relation sign."""
+
+    lines: tuple[str, ...]
+
+    def _repr_latex_(self) -> str:
+        body = " \\\\\n".join(self.lines)
+        return f"$\\displaystyle \\begin{{aligned}}\n{body}\n\\end{{aligned}}$"
+
+    def __str__(self) -> str:
+        return "\n".join(line.replace("&", "") for line in self.lines)
+
+    __repr__ = __str__
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table for a notebook, or as tab-separated text."""
+
+    headings: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+    def _repr_markdown_(self) -> str:
+        lines = ["| " + " | ".join(self.headings) + " |", "|" + "---|" * len(self.headings)]
+        lines += ["| " + " | ".join(row) + " |" for row in self.rows]
+        return "\n".join(lines)
+
+    def __str__(self) -> str:
+        return "\n".join("\t".join(row) for row in (self.headings, *self.rows))
+
+    __repr__ = __str__
+
+
+def _merged_roots(term: sp.Expr) -> sp.Expr:
+    """A product with all its square roots under one."""
+    inside, outside = [], []
+    for factor in sp.Mul.make_args(term):
+        base, exponent = factor.as_base_exp()
+        if factor != sp.I and exponent.is_Rational and exponent.q == 2:
+            inside.append(base ** (2 * exponent))
+        else:
+            outside.append(factor)
+    if not inside:
+        return term
+    root = sp.Pow(sp.Mul(*inside), sp.S.Half, evaluate=False)
+    return sp.Mul(*outside, root, evaluate=False) if outside else root
+
+
+def _signed(term: sp.Expr) -> str:
+    """A term of a sum, with its sign in front."""
+    negative = term.could_extract_minus_sign()
+    return f"{'-' if negative else '+'} {sp.latex(_merged_roots(-term if negative else term))}"
+
+
+def _pieces(expression: sp.Expr) -> list[str]:
+    """A sum in pieces that may stand on lines of their own; long brackets are opened."""
+    pieces = []
+    for term in expression.as_ordered_terms():
+        sums = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.Add) and len(f.args) > 2]
+        if len(sums) != 1 or len(sp.latex(term)) < LINE:
+            pieces.append(_signed(term))
+            continue
+        rest = term / sums[0]
+        inner = _pieces(sums[0])
+        inner[0] = inner[0][2:] if inner[0].startswith("+") else inner[0]
+        pieces.append(f"{_signed(rest)} \\Bigl( {inner[0]}")
+        pieces += inner[1:]
+        pieces[-1] += " \\Bigr)"
+    return pieces
+
+
+def _sum(left: str, expression: sp.Expr, relation: str = "=") -> list[str]:
+    """A sum over several aligned lines."""
+    pieces = _pieces(expression)
+    if relation and pieces[0].startswith("+"):
+        pieces[0] = pieces[0][2:]
+    first, *others = _wrapped(pieces)
+    return [f"{left} &{relation} {first}", *(f"&\\quad {line}" for line in others)]
+
+
+def _aligned(pairs: Iterable[tuple[str, sp.Expr]]) -> Formula:
+    return Formula(tuple(line for left, right in pairs for line in _sum(left, right)))
+
+
+def parameter_table(parameters: Sequence[Parameter]) -> Table:
+    """Symbols, units, meanings and definitions of parameters."""
+    rows = tuple(
+        (
+            f"${sp.latex(p.symbol)}$",
+            p.unit,
+            p.meaning + (f", ${sp.latex(p.definition)}$" if p.definition is not None else ""),
+        )
+        for p in parameters
+    )
+    return Table(("symbol", "unit", "meaning"), rows)
+
+
+def equations(pairs: Mapping[sp.Expr, sp.Expr], only: Sequence[sp.Expr] | None = None) -> Formula:
+    """Equations expression = 0, one for each coordinate."""
+    chosen = pairs if only is None else {q: pairs[q] for q in only}
+    lines: list[str] = []
+    for expression in chosen.values():
+        lines += _sum("", expression, "")
+        lines[-1] = f"{lines[-1]} = 0"
+    return Formula(tuple(lines))
+
+
+def orders(scaled: ScaledSystem, order: int, only: Sequence[sp.Expr] | None = None) -> Formula:
+    """The order-ε^p equations in operator form."""
+    found = hierarchy(scaled, order)
+    chosen = found if only is None else {q: found[q] for q in only}
+    return Formula(tuple(text.replace(" = ", " &= ", 1) for text in chosen.values()))
+
+
+def secular(case: Expansion, order: int, only: Sequence[sp.Expr] | None = None) -> Formula:
+    """The condition that no secular term is left, 2iω_j D_p A_j + (secular terms) = 0."""
+    ring = case.weak.ring
+    lines: list[str] = []
+    for j, (q, terms) in enumerate(case.secular_terms(order).items()):
+        if only is not None and q not in only:
+            continue
+        omega = case.symbols.polynomial(ring.form_polynomial(ring.amplitude_frequencies[j]))
+        head = f"2 i {sp.latex(omega)} D_{{{order}}} {sp.latex(case.amplitudes[j])}"
+        if terms == 0:
+            lines.append(f"{head} &= 0")
+            continue
+        lines += _sum(head, terms, "")
+        lines[-1] += " = 0"
+    return Formula(tuple(lines))
+
+
+def solvability(case: Expansion, order: int, only: Sequence[sp.Expr] | None = None) -> Formula:
+    """The solvability conditions D_p A_j at one order."""
+    pairs = []
+    for j, (a, expression) in enumerate(case.solvability[order].items()):
+        if only is None or case.coordinates[j] in only:
+            pairs.append((f"D_{{{order}}} {sp.latex(a)}", expression))
+    return _aligned(pairs)
+
+
+def polynomial(case: Expansion) -> Formula:
+    """The characteristic polynomial of the slow flow, by factors."""
+    gamma = sp.Symbol("Gamma")
+    value = case.slow_flow.characteristic_polynomial(gamma)
+    lines: list[str] = []
+    for factor in sp.Mul.make_args(value):
+        base, exponent = factor.as_base_exp()
+        power = "" if exponent == 1 else f"^{{{exponent}}}"
+        head = r"\quad \cdot " if lines else r"P(\Gamma) = "
+        if base == gamma:
+            lines.append(f"&{head}\\Gamma{power}")
+            continue
+        pieces: list[str] = []
+        for k in range(sp.degree(base, gamma), -1, -1):
+            c = base.coeff(gamma, k)
+            tail = "" if k == 0 else sp.latex(gamma**k)
+            if c == 1:
+                pieces.append(f"+ {tail}")
+            elif c != 0:
+                inner = _pieces(c)
+                if len(inner) > 1 and k:
+                    inner = [f"+ \\Bigl( {inner[0].removeprefix('+ ')}", *inner[1:]]
+                    inner[-1] += f" \\Bigr) {tail}"
+                else:
+                    inner[-1] += f" {tail}"
+                pieces += inner
+        text = _wrapped(pieces)
+        lines.append(f"&{head}\\Bigl[ {text[0].removeprefix('+ ')}")
+        lines += [f"&\\qquad {t}" for t in text[1:]]
+        lines[-1] += f" \\Bigr]{power}"
+    return Formula(tuple(lines))
+
+
+def _wrapped(pieces: Sequence[str]) -> list[str]:
+    """Pieces joined to lines."""
+    lines = [pieces[0]]
+    for piece in pieces[1:]:
+        if len(lines[-1]) + len(piece) > LINE:
+            lines.append(piece)
+        else:
+            lines[-1] += f" {piece}"
+    return lines
+
+
+def boundary(case: Expansion) -> Formula:
+    """Both edges of the unstable interval, or the statement that there is none."""
+    edges = case.slow_flow.boundary()
+    if not edges:
+        return Formula((r"&\text{no detuning is unstable}",))
+    sigma = sp.latex(case.relations[0].detuning)
+    return _aligned(((f"{sigma}_{{-}}", edges[0]), (f"{sigma}_{{+}}", edges[1])))
+
+
+def case_title(case: Expansion) -> str:
+    """The relations of a case with their detunings, as LaTeX."""
+    if not case.relations:
+        return "no resonance"
+    return ",\\; ".join(
+        f"{relation_latex(r.equation)} + \\varepsilon {sp.latex(r.detuning)}"
+        for r in case.relations
+    )
+
+
+def coordinate_label(q: sp.Expr) -> str:
+    """A coordinate as LaTeX, without its argument."""
+    return str(sp.latex(sp.Symbol(coordinate_name(q))))
