@@ -195,3 +195,19 @@ def test_threshold_argument() -> None:
     relaxed = floquet.growth_rate(rotor(), values, threshold=0.5)
     assert relaxed.verdict.tolist() == ["stable", "unstable"]
     assert np.array_equal(plain.value, relaxed.value)
+
+
+def test_cluster_bound_where_the_estimate_exceeds_the_rounding() -> None:
+    # A Jordan block known to 1e-10 but computed to 1e-16: its multipliers are 1e-8 apart and
+    # κ is 1e8, so discs of radius N κ E = 4e-2 would say nothing. The square root of E does.
+    block = np.array([[1, 1, 0, 0], [0, 1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 2.0]])
+    basis = np.eye(4) + 0.2 * np.random.default_rng(3).normal(size=(4, 4))
+    matrix = basis @ block @ np.linalg.inv(basis)
+    error = 1e-10
+    value, radius = eigenvalues_with_error(matrix[None], np.array([error]), np.zeros(1))
+    # Coupling and projector of this basis are of size 1: a few times √(2E).
+    assert radius.max() < 10 * np.sqrt(2 * error)
+    change = np.zeros((4, 4))
+    change[1, 0] = error
+    moved = np.linalg.eigvals(basis @ (block + change / 4) @ np.linalg.inv(basis))
+    assert np.abs(np.subtract.outer(moved, value[0])).min(axis=1).max() <= radius.max()

@@ -187,3 +187,14 @@ def test_boundary_at_a_given_growth_rate() -> None:
     assert result.value.size == 2
     # Slopes dγ/da are below 1/γ·q/2 here.
     assert np.all(np.abs(rate.value - 0.1) <= 10 * result.error + rate.error)
+
+
+def test_boundary_of_a_constant_system() -> None:
+    # q'' + [[1, b], [-b, 4]] q = 0: λ² from (λ² + 1)(λ² + 4) + b² = 0, which turns complex at
+    # b = 3/2 (flutter), and stays so.
+    b = sp.Symbol("b", real=True)
+    system = linear(sp.eye(2), sp.zeros(2), sp.Matrix([[1, b], [-b, 4]]))
+    result = floquet.boundary(system, {}, b, (0, 4), points=30)
+    assert result.value.size == 1 and result.error[0] < 1e-9
+    assert abs(result.value[0] - 1.5) <= result.error[0] + 1e-15
+    assert result.zones == ((result.value[0], 4.0),)
