@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from .hierarchy import hierarchy
-from .symbols import coordinate_name
 from .tables import relation_latex
 
 if TYPE_CHECKING:
+    from .certificate import Certificate
     from .expansion import Expansion
     from .parameters import Parameter
     from .scaling import ScaledSystem
@@ -24,12 +24,14 @@ __all__ = [
     "Formula",
     "boundary",
     "case_title",
+    "certificate_table",
     "equations",
     "orders",
     "parameter_table",
     "polynomial",
     "secular",
     "solvability",
+    "zone_table",
 ]
 
 LINE = 260
@@ -235,11 +237,42 @@ def case_title(case: Expansion) -> str:
     if not case.relations:
         return "no resonance"
     return ",\\; ".join(
-        f"{relation_latex(r.equation)} + \\varepsilon {sp.latex(r.detuning)}"
+        f"{relation_latex(r.equation, case.parameters)} + \\varepsilon {sp.latex(r.detuning)}"
         for r in case.relations
     )
 
 
-def coordinate_label(q: sp.Expr) -> str:
-    """A coordinate as LaTeX, without its argument."""
-    return str(sp.latex(sp.Symbol(coordinate_name(q))))
+def certificate_table(certificates: Iterable[Certificate]) -> Table:
+    """Fitted exponents beside the theory's, a row for each quantity of each case."""
+    rows = [
+        (c.relation, str(c.order), f.quantity, str(f.theory), f"{f.exponent:.2f}", _word(f.passed))
+        for c in certificates
+        for f in c.fits
+    ]
+    return Table(("case", "order", "error of", "theory", "fitted", "holds"), tuple(rows))
+
+
+def _word(holds: bool) -> str:
+    return "yes" if holds else "NO"
+
+
+def zone_table(
+    certificates: Iterable[Certificate], factor: float = 1.0, unit: str = "rad/s"
+) -> Table:
+    """Edges of the zones at the user's numbers, from the emitted functions and from Floquet.
+
+    Parameters
+    ----------
+    certificates : iterable of Certificate
+    factor : float
+        From the unit of the record to `unit`.
+    unit : str
+    """
+    rows = []
+    for c in certificates:
+        for z in c.zones:
+            edges = [f"{factor * x:.5f}" for x in (*z.emitted, *z.exact)]
+            gaps = [f"{factor * (a - b):+.5f}" for a, b in zip(z.emitted, z.exact, strict=True)]
+            rows.append((c.relation, str(c.order), *edges, ", ".join(gaps)))
+    head = (f"lower ({unit})", f"upper ({unit})", "Floquet, lower", "Floquet, upper", "difference")
+    return Table(("case", "order", *head), tuple(rows))

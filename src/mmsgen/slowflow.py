@@ -22,6 +22,7 @@ import sympy as sp
 from .errors import ExpansionError
 from .expressions import rational
 from .linear_flow import LinearFlow, linear_flow
+from .numeric import named_values
 from .series import Series
 from .symbols import imaginary_part, modulus, phase, real_part
 
@@ -230,9 +231,20 @@ class SlowFlow:
         Parameters
         ----------
         values : mapping
-            Symbol or name → value, for every parameter of the slow flow and every detuning.
+            Symbol or name → value, for every parameter of the slow flow. A detuning follows from
+            the frequencies of its relation where it is not given itself.
         """
-        return self.linear.growth_rate(values)
+        return self.linear.growth_rate(self._with_detunings(values))
+
+    def _with_detunings(self, values: Mapping[Any, Any]) -> dict[str, Any]:
+        """Values with σ = lhs − rhs of its relation where that can be told."""
+        table = named_values(self.case.parameters, values)
+        for r in self.case.relations:
+            symbols = sorted((r.lhs - r.rhs).free_symbols, key=str)
+            if r.detuning.name not in table and all(str(s) in table for s in symbols):
+                gap = sp.lambdify(symbols, r.lhs - r.rhs, "numpy")
+                table[str(r.detuning.name)] = gap(*(table[str(s)] for s in symbols))
+        return table
 
     def boundaries(self, values: Mapping[Any, Any]) -> Any:
         """Both edges of the unstable interval in the detuning; NaN where there is none.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -85,7 +85,7 @@ class ResonanceTable(tuple["Resonance", ...]):
 
     def __str__(self) -> str:
         lines = [list(self.headings)]
-        lines += [[relation_text(e), *cells] for e, cells in self._rows()]
+        lines += [[relation_text(e, self.parameters), *cells] for e, cells in self._rows()]
         widths = [max(len(line[c]) for line in lines) for c in range(len(self.headings))]
         text = [
             "  ".join(cell.ljust(w) for cell, w in zip(line, widths, strict=True)).rstrip()
@@ -98,7 +98,7 @@ class ResonanceTable(tuple["Resonance", ...]):
     def to_latex(self) -> str:
         """The table as a LaTeX tabular."""
         rows = [
-            " & ".join((f"${relation_latex(e)}$", *map(_latex_text, cells)))
+            " & ".join((f"${relation_latex(e, self.parameters)}$", *map(_latex_text, cells)))
             for e, cells in self._rows()
         ]
         body = " \\\\\n".join((" & ".join(self.headings), *rows))
@@ -108,7 +108,7 @@ class ResonanceTable(tuple["Resonance", ...]):
     def _repr_html_(self) -> str:
         head = "".join(f"<th>{escape(h)}</th>" for h in self.headings)
         rows = "".join(
-            f"<tr><td>${relation_latex(e)}$</td>"
+            f"<tr><td>${relation_latex(e, self.parameters)}$</td>"
             + "".join(f"<td>{escape(c)}</td>" for c in cells)
             + "</tr>"
             for e, cells in self._rows()
@@ -116,18 +116,26 @@ class ResonanceTable(tuple["Resonance", ...]):
         return f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
 
 
-def relation_text(relation: sp.Eq) -> str:
-    """A relation as text, positive terms first."""
-    return f"{relation.lhs} = {_ordered(relation.rhs, str)}"
+def relation_text(relation: sp.Eq, parameters: Sequence[Parameter] = ()) -> str:
+    """A relation as text, positive terms first, in the order of the parameters."""
+    return f"{relation.lhs} = {_ordered(relation.rhs, parameters, str)}"
 
 
-def relation_latex(relation: sp.Eq) -> str:
-    """A relation as LaTeX, positive terms first."""
-    return f"{sp.latex(relation.lhs)} = {_ordered(relation.rhs, sp.latex)}"
+def relation_latex(relation: sp.Eq, parameters: Sequence[Parameter] = ()) -> str:
+    """A relation as LaTeX, positive terms first, in the order of the parameters."""
+    return f"{sp.latex(relation.lhs)} = {_ordered(relation.rhs, parameters, sp.latex)}"
 
 
-def _ordered(expression: sp.Expr, show: Callable[[sp.Expr], str]) -> str:
-    terms = sorted(sp.Add.make_args(expression), key=lambda t: t.could_extract_minus_sign())
+def _ordered(
+    expression: sp.Expr, parameters: Sequence[Parameter], show: Callable[[sp.Expr], str]
+) -> str:
+    rank = {p.symbol: k for k, p in enumerate(parameters)}
+
+    def position(term: sp.Expr) -> tuple[bool, int]:
+        known = [rank[s] for s in term.free_symbols if s in rank]
+        return term.could_extract_minus_sign(), min(known, default=len(rank))
+
+    terms = sorted(sp.Add.make_args(expression), key=position)
     text = show(terms[0])
     for term in terms[1:]:
         negative = term.could_extract_minus_sign()

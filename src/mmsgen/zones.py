@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -39,7 +40,7 @@ def _zone(polynomial: Any) -> tuple[float, float]:
     real = np.sort(roots[np.abs(roots.imag) <= 1e-9 * scale].real)
     edges = np.concatenate(([-np.inf], real, [np.inf]))
     best, distance = (np.nan, np.nan), np.inf
-    for low, high in zip(edges[:-1], edges[1:], strict=True):
+    for low, high in pairwise(edges):
         inside = np.clip(0.0, low, high) if np.isinf(low) or np.isinf(high) else (low + high) / 2
         if np.isinf(low) or np.isinf(high):
             inside = high - 1.0 if np.isinf(low) else low + 1.0

@@ -1,0 +1,118 @@
+"""Notebooks: a percent-format script executed into an .ipynb that is the same on every run.
+
+Needs the extra ``notebook``. What a run adds by accident (times, identifiers, versions) is taken
+out, and a figure that differs from the committed one by less than a tolerance keeps its bytes.
+"""
+
+from __future__ import annotations
+
+import base64
+import io
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .errors import MmsgenError
+
+__all__ = ["execute", "images_agree"]
+
+IMAGE_TOLERANCE = 0.02
+"""Root mean square difference, of 1, below which two figures count as the same.
+
+Fonts and anti-aliasing differ between machines by about 0.01; a curve that moves by its own
+width over a tenth of a figure differs by more than 0.02.
+"""
+
+TIMEOUT = 600
+"""Seconds for one cell."""
+
+
+def execute(script: Path, environment: dict[str, str], folder: Path) -> Any:
+    """Execute a percent-format script as a notebook.
+
+    Parameters
+    ----------
+    script : pathlib.Path
+    environment : dict
+        Environment of the kernel.
+    folder : pathlib.Path
+        Its working directory.
+
+    Returns
+    -------
+    nbformat.NotebookNode
+        With outputs, normalised.
+
+    Raises
+    ------
+    MmsgenError
+        If a cell fails; the message holds its traceback.
+    """
+    import jupytext
+    from nbclient import NotebookClient
+    from nbclient.exceptions import CellExecutionError
+
+    notebook = jupytext.read(script)
+    client = NotebookClient(
+        notebook,
+        timeout=TIMEOUT,
+        kernel_name="python3",
+        record_timing=False,
+        coalesce_streams=True,
+        resources={"metadata": {"path": str(folder)}},
+    )
+    try:
+        client.execute(env=environment)
+    except CellExecutionError as error:
+        raise MmsgenError(f"{script.name} fails when executed:\n{error}") from None
+    return _normalised(notebook)
+
+
+def _normalised(notebook: Any) -> Any:
+    """A notebook without what a run adds by accident."""
+    notebook.metadata = {
+        "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+        "language_info": {"name": "python"},
+    }
+    notebook.nbformat, notebook.nbformat_minor = 4, 5
+    for k, cell in enumerate(notebook.cells):
+        cell["id"] = f"cell-{k:03d}"
+        cell.metadata = {}
+        for output in cell.get("outputs", ()):
+            output.pop("transient", None)
+            if "metadata" in output:
+                output["metadata"] = {}
+    return notebook
+
+
+def keep_images(notebook: Any, committed: Any) -> None:
+    """Put the committed figures into a notebook where its own agree with them."""
+    for cell, old in zip(notebook.cells, committed.cells, strict=False):
+        pairs = zip(cell.get("outputs", ()), old.get("outputs", ()), strict=False)
+        for output, before in pairs:
+            new_data, old_data = output.get("data", {}), before.get("data", {})
+            if "image/png" not in new_data or "image/png" not in old_data:
+                continue
+            png, old_png = (base64.b64decode(d["image/png"]) for d in (new_data, old_data))
+            if images_agree(png, old_png):
+                new_data["image/png"] = old_data["image/png"]
+
+
+def images_agree(first: bytes, second: bytes) -> bool:
+    """Whether two PNG images show the same within `IMAGE_TOLERANCE`."""
+    if first == second:
+        return True
+    from matplotlib.image import imread
+
+    a, b = (imread(io.BytesIO(data), format="png").astype(float) for data in (first, second))
+    if a.shape != b.shape:
+        return False
+    return bool(np.sqrt(np.mean((a - b) ** 2)) < IMAGE_TOLERANCE)
+
+
+def text_of(notebook: Any) -> str:
+    """A notebook as the text of its file."""
+    import nbformat
+
+    return str(nbformat.writes(notebook)).rstrip("\n") + "\n"
