@@ -138,3 +138,15 @@ def test_the_equations_of_the_model_agree_with_those_written_by_hand() -> None:
         result = floquet.growth_rate(eom, values)
         assert np.all(np.abs(result.value - by_hand.value) <= result.error + by_hand.error)
         assert result.verdict.tolist() == by_hand.verdict.tolist()
+
+
+def test_no_wrong_verdict_close_to_an_edge() -> None:
+    # The edge is known to 5e-14 Hz. Undecided is allowed where √E reaches the resolution, 1e-11 Hz
+    # away at most; a verdict on the wrong side never.
+    distance = np.logspace(-12, -3, 10)
+    edge = 4.4502080451259
+    outside = floquet.growth_rate(rotor(), isotropic(Omega=HERTZ * (edge - distance)))
+    inside = floquet.growth_rate(rotor(), isotropic(Omega=HERTZ * (edge + distance)))
+    assert "unstable" not in outside.verdict and "stable" not in inside.verdict
+    assert set(outside.verdict[distance > 1e-11]) == {"stable"}
+    assert set(inside.verdict[distance > 1e-11]) == {"unstable"}
