@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from .alphabet import CONSTANT_NAMES
 from .edges import EdgeSeries, edge_series, weighted_parts
 from .errors import ExpansionError
 from .expressions import FieldSymbols
@@ -47,8 +48,9 @@ class FactorVerdict:
         unstable (for a dissipative factor with positive damping); empty where there is none.
     unstable : bool or None
         Whether it can be unstable for some detuning; None where that depends on the parameters.
-    reason : str
-        Why.
+    statement : str
+        Why, with places ``{0}``, ``{1}`` for the expressions.
+    expressions : tuple of sympy.Expr
     edges : EdgeSeries or None
         The edges of the unstable interval, where they have a closed form.
     """
@@ -57,8 +59,19 @@ class FactorVerdict:
     kind: str
     criterion: tuple[Coefficient, ...]
     unstable: bool | None
-    reason: str
+    statement: str
+    expressions: tuple[sp.Expr, ...] = ()
     edges: EdgeSeries | None = None
+
+    @property
+    def reason(self) -> str:
+        """Why, as text."""
+        return self.statement.format(*self.expressions)
+
+    @property
+    def reason_latex(self) -> str:
+        """Why, as text with LaTeX formulas."""
+        return self.statement.format(*(f"${sp.latex(e)}$" for e in self.expressions))
 
 
 @dataclass(frozen=True)
@@ -90,8 +103,18 @@ class Stability:
     @property
     def reason(self) -> str:
         """Why the case can or cannot be unstable."""
-        wanted = [v for v in self.verdicts if v.unstable is not False] or list(self.verdicts)
-        return "; ".join(dict.fromkeys(v.reason for v in wanted))
+        return "; ".join(dict.fromkeys(v.reason for v in self._telling))
+
+    @property
+    def reason_latex(self) -> str:
+        """Why the case can or cannot be unstable, with LaTeX formulas."""
+        return "; ".join(dict.fromkeys(v.reason_latex for v in self._telling))
+
+    @property
+    def _telling(self) -> list[FactorVerdict]:
+        """The factors that can be unstable, or all, those of higher degree first."""
+        telling = [v for v in self.verdicts if v.unstable is not False] or list(self.verdicts)
+        return sorted(telling, key=lambda v: -v.factor.degree)
 
     @cached_property
     def critical(self) -> FactorVerdict | None:
@@ -128,10 +151,11 @@ class Stability:
             return ()
         edges = self.critical.edges
         if edges is None:
+            degree = len(self.critical.criterion) - 1
             raise ExpansionError(
-                f"the boundary is a polynomial of degree {len(self.critical.criterion) - 1} in the "
-                "detuning, not quadratic to leading order: it has no closed form that is worth "
-                "reading; use boundaries(values)"
+                f"no interval of the detuning has edges in closed form: the criterion is a "
+                f"polynomial of degree {degree} in it, and {self.critical.reason}; use "
+                "boundaries(values) or growth_rate(values)"
             )
         root = sp.sqrt(self.symbols(edges.radicand))
         centre = sp.Add(*(self.symbols(a) for a in edges.rational))
@@ -144,7 +168,8 @@ class Stability:
         if self.critical is None:
             shapes = [np.shape(v) for v in numbers.values()]
             return np.full((*np.broadcast_shapes(*shapes), 2), np.nan)
-        return unstable_zone([np.real(c) for c in self._criterion(numbers)])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return unstable_zone([np.real(c) for c in self._criterion(numbers)])
 
     @cached_property
     def _criterion(self) -> Evaluator:
@@ -159,6 +184,7 @@ class _Judge:
 
     symbols: FieldSymbols
     positive: frozenset[str]
+    nonnegative: frozenset[str]
     weights: Mapping[str, int]
     detuning: str | None
     order: int
@@ -175,8 +201,8 @@ class _Judge:
             return self._conservative(factor)
         if degree == 2:
             return self._dissipative(factor)
-        reason = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
-        return FactorVerdict(factor, "unjudged", (), None, reason)
+        statement = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
+        return FactorVerdict(factor, "unjudged", (), None, statement)
 
     def _leading(self, c: Coefficient) -> Coefficient:
         """The part of lowest order in ε: it sets the sign as ε → 0."""
@@ -187,9 +213,12 @@ class _Judge:
         damping = _real(factor.coefficients[0])
         if not damping:
             return FactorVerdict(factor, "neutral", (), False, "one mode turns without growing")
-        s = sign(self._leading(damping), self.positive)
-        reason = f"one mode decays at the rate {self.symbols(damping)}"
-        return FactorVerdict(factor, "damped", (), None if s is None else s < 0, reason)
+        s = sign(self._leading(damping), self.nonnegative)
+        statement, shown = "one mode decays at the rate {0}", self.symbols(damping)
+        if s == -1:
+            statement, shown = "one mode grows at the rate {0}", self.symbols(-damping)
+        unstable = None if s is None else s < 0
+        return FactorVerdict(factor, "damped", (), unstable, statement, (shown,))
 
     def _by_detuning(self, c: Coefficient) -> tuple[Coefficient, ...]:
         if self.detuning is None:
@@ -204,58 +233,76 @@ class _Judge:
 
     def _conservative(self, factor: MonicFactor) -> FactorVerdict:
         discriminant = _discriminant(factor)
-        name = "the discriminant of " + self._shown(factor)
+        name, shown = "the discriminant of {0}", (self._shown(factor),)
         if not discriminant:
-            reason = f"{name} vanishes identically"
-            return FactorVerdict(factor, "conservative", (), False, reason)
+            return FactorVerdict(
+                factor, "conservative", (), False, f"{name} vanishes identically", shown
+            )
         criterion = self._by_detuning(discriminant)
         edges = self._edges(criterion)
         if edges is None:
-            return self._constant(factor, criterion, name)
+            return self._constant(factor, criterion)
         s = sign(edges.radicand, self.positive)
         if s == -1:
-            reason = f"{name} is negative at every detuning: the modes only exchange energy"
-            return FactorVerdict(factor, "conservative", criterion, False, reason)
-        reason = f"{name} is positive in an interval of the detuning"
+            statement = f"{name} is negative at every detuning, the modes only exchange energy"
+            return FactorVerdict(factor, "conservative", criterion, False, statement, shown)
+        statement = f"{name} is positive in an interval of the detuning"
         if s is None:
-            reason += f" if {self.symbols(edges.radicand)} > 0"
+            statement += " if {1} > 0"
+            shown = (*shown, self.symbols(edges.radicand))
         return FactorVerdict(
-            factor, "conservative", criterion, None if s is None else True, reason, edges
+            factor, "conservative", criterion, None if s is None else True, statement, shown, edges
         )
 
-    def _constant(
-        self, factor: MonicFactor, criterion: tuple[Coefficient, ...], name: str
-    ) -> FactorVerdict:
+    def _constant(self, factor: MonicFactor, criterion: tuple[Coefficient, ...]) -> FactorVerdict:
         """A criterion that is not quadratic in the detuning to leading order."""
-        degree = len(criterion) - 1
+        degree, shown = len(criterion) - 1, (self._shown(factor),)
         if degree:
-            reason = f"the sign of {name}, of degree {degree} in the detuning, decides"
-            return FactorVerdict(factor, "conservative", criterion, None, reason)
+            statement = f"the sign of the discriminant of {{0}}, of degree {degree}, decides"
+            return FactorVerdict(factor, "conservative", criterion, None, statement, shown)
         s = sign(self._leading(criterion[0]), self.positive)
         word = {None: "decides", 1: "is positive", -1: "is negative"}[s]
         unstable = None if s is None else s > 0
-        return FactorVerdict(factor, "conservative", criterion, unstable, f"{name} {word}")
+        statement = f"the discriminant of {{0}} {word}"
+        return FactorVerdict(factor, "conservative", criterion, unstable, statement, shown)
 
     def _dissipative(self, factor: MonicFactor) -> FactorVerdict:
         c, b, _ = factor.coefficients
         br, bi, cr, ci = _real(b), _imaginary(b), _real(c), _imaginary(c)
+        statement, shown = "{0} is damped", [self._shown(factor)]
+        if br and sign(self._leading(br), self.nonnegative) == -1:
+            statement = "{0} has negative damping on the whole"
+            return FactorVerdict(factor, "dissipative", (), True, statement, tuple(shown))
         value = ci * ci - br * br * cr - br * bi * ci
         criterion = self._by_detuning(value)
-        edges = self._edges(criterion)
-        reason = f"{self._shown(factor)} is damped"
+        if self._far_from_resonance(criterion) == 1:
+            statement += " on the whole, but one of its modes grows far from resonance"
+            return FactorVerdict(factor, "dissipative", criterion, True, statement, tuple(shown))
+        edges, s = self._edges(criterion), None
         if edges is not None:
-            reason += f", and unstable near resonance if {self.symbols(edges.radicand)} > 0"
-        s = None if edges is None else sign(edges.radicand, self.positive)
+            s = sign(edges.radicand, self.positive)
+            statement += ", and unstable near resonance if {1} > 0"
+            shown.append(self.symbols(edges.radicand))
+        elif len(criterion) == 1:
+            s = sign(self._leading(value), self.positive)
         unstable = None if s is None else s > 0
-        return FactorVerdict(factor, "dissipative", criterion, unstable, reason, edges)
+        return FactorVerdict(
+            factor, "dissipative", criterion, unstable, statement, tuple(shown), edges
+        )
 
-    def _shown(self, factor: MonicFactor) -> str:
+    def _far_from_resonance(self, criterion: tuple[Coefficient, ...]) -> int | None:
+        """The sign of the leading part of what is quadratic in the detuning."""
+        if len(criterion) < 3:
+            return None
+        return sign(self._leading(criterion[2]), self.nonnegative)
+
+    def _shown(self, factor: MonicFactor) -> sp.Expr:
         """The factor to leading order, which carries the argument."""
         gamma = sp.Symbol("Gamma")
         terms = (
             self.symbols(self._leading(c)) * gamma**k for k, c in enumerate(factor.coefficients)
         )
-        return str(sp.Add(*terms))
+        return sp.Add(*terms)
 
 
 def stability(
@@ -280,10 +327,12 @@ def stability(
     order : int
         Order of the expansion.
     """
-    positive = frozenset(p.name for p in parameters if p.symbol.is_positive)
+    constants = frozenset(CONSTANT_NAMES)
+    positive = constants | {p.name for p in parameters if p.symbol.is_positive}
+    nonnegative = constants | {p.name for p in parameters if p.symbol.is_nonnegative}
     detuning = detunings[0] if detunings else None
     name = None if detuning is None else str(detuning.name)
-    judge = _Judge(symbols, positive, weights, name, order)
+    judge = _Judge(symbols, positive, nonnegative, weights, name, order)
     verdicts = tuple(judge.verdict(f) for f in factors)
     return Stability(verdicts, symbols, tuple(parameters), detuning)
 

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["hierarchy"]
 
 
-def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, str]:
+def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list[str]]]:
     """The equations at one order in ε, without any resonance relation.
 
     Parameters
@@ -35,7 +35,7 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, str]:
     Returns
     -------
     dict
-        {q_j: LaTeX of the equation}.
+        {q_j: (LaTeX of the left side, LaTeX of each term of the right side)}.
     """
     weak = scaled.weak(max(order, 1))
     table = {p.name: p.symbol for p in scaled.eom.parameters}
@@ -56,7 +56,7 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, str]:
                     terms += _products(coefficient, factors, names, order - s)
         if order == 0 and weak.forcing[j]:
             terms.append(sp.latex(-_real_form(weak, symbols, weak.forcing[j])))
-        result[q] = f"{left} = {_joined(terms)}"
+        result[q] = left, terms
     return result
 
 

@@ -5,7 +5,8 @@ The functions here only arrange what the records hold; nothing is derived in thi
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+import re
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,7 @@ from .tables import relation_latex
 
 if TYPE_CHECKING:
     from .certificate import Certificate
+    from .equations import EquationsOfMotion
     from .expansion import Expansion
     from .parameters import Parameter
     from .scaling import ScaledSystem
@@ -26,16 +28,41 @@ __all__ = [
     "case_title",
     "certificate_table",
     "equations",
+    "expression",
     "orders",
     "parameter_table",
     "polynomial",
     "secular",
     "solvability",
+    "verdict",
     "zone_table",
 ]
 
-LINE = 260
-"""Characters of LaTeX on one line, about the width of a page."""
+LINE = 62
+"""Width of a line in characters as they are seen."""
+
+_FRACTION = re.compile(r"\\frac\{([^{}]*)\}\{([^{}]*)\}")
+_UNSEEN = re.compile(
+    r"\\(?:left|right|Bigl|Bigr|overline|displaystyle|sqrt|quad|cdot|frac)\b|[{}_^&\\ ]"
+)
+_COMMAND = re.compile(r"\\[A-Za-z]+")
+
+
+def _width(text: str) -> int:
+    """How many characters of LaTeX are seen, a fraction counting as its longer half."""
+    text = _COMMAND.sub(
+        lambda m: m[0] if _UNSEEN.fullmatch(m[0]) else ("sin" if m[0] in _WORDS else "x"), text
+    )
+    previous = ""
+    while previous != text:
+        previous = text
+        text = _FRACTION.sub(lambda m: max(m[1], m[2], key=lambda s: len(_UNSEEN.sub("", s))), text)
+        text = re.sub(r"([_^])\{([^{}]*)\}", lambda m: m[2][: (len(m[2]) + 1) // 2], text)
+        text = re.sub(r"(?<!\})\{([^{}]*)\}(?!\{)", r"\1", text)
+    return len(_UNSEEN.sub("", text))
+
+
+_WORDS = ("\\sin", "\\cos")
 
 
 @dataclass(frozen=True)
@@ -72,6 +99,21 @@ class Table:
     __repr__ = __str__
 
 
+@dataclass(frozen=True)
+class Statement:
+    """A sentence in Markdown."""
+
+    text: str
+
+    def _repr_markdown_(self) -> str:
+        return self.text
+
+    def __str__(self) -> str:
+        return self.text
+
+    __repr__ = __str__
+
+
 def _merged_roots(term: sp.Expr) -> sp.Expr:
     """A product with all its square roots under one."""
     inside, outside = [], []
@@ -98,7 +140,7 @@ def _pieces(expression: sp.Expr) -> list[str]:
     pieces = []
     for term in expression.as_ordered_terms():
         sums = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.Add) and len(f.args) > 2]
-        if len(sums) != 1 or len(sp.latex(term)) < LINE:
+        if len(sums) != 1 or _width(sp.latex(term)) < LINE:
             pieces.append(_signed(term))
             continue
         rest = term / sums[0]
@@ -136,21 +178,45 @@ def parameter_table(parameters: Sequence[Parameter]) -> Table:
     return Table(("symbol", "unit", "meaning"), rows)
 
 
-def equations(pairs: Mapping[sp.Expr, sp.Expr], only: Sequence[sp.Expr] | None = None) -> Formula:
-    """Equations expression = 0, one for each coordinate."""
+def equations(eom: EquationsOfMotion, only: Sequence[sp.Expr] | None = None) -> Formula:
+    """The equations of motion, expression = 0, one for each coordinate."""
+    pairs = dict(zip(eom.coordinates, eom.equations, strict=True))
     chosen = pairs if only is None else {q: pairs[q] for q in only}
     lines: list[str] = []
     for expression in chosen.values():
-        lines += _sum("", expression, "")
+        pieces = _pieces(expression)
+        first, *others = _wrapped([pieces[0].removeprefix("+ "), *pieces[1:]])
+        lines += [f"&{first}", *(f"&\\quad {line}" for line in others)]
         lines[-1] = f"{lines[-1]} = 0"
     return Formula(tuple(lines))
+
+
+def expression(left: str, value: sp.Expr) -> Formula:
+    """A formula left = value over as many lines as it needs."""
+    return Formula(tuple(_sum(left, value)))
+
+
+def verdict(case: Expansion) -> Statement:
+    """Whether a case can be unstable, and why."""
+    stability = case.slow_flow.stability
+    words = {
+        True: "This case can be unstable",
+        False: "This case is never unstable",
+        None: "Whether this case is unstable depends on the parameters",
+    }
+    return Statement(f"**{words[stability.unstable]}**: {stability.reason_latex}.")
 
 
 def orders(scaled: ScaledSystem, order: int, only: Sequence[sp.Expr] | None = None) -> Formula:
     """The order-ε^p equations in operator form."""
     found = hierarchy(scaled, order)
     chosen = found if only is None else {q: found[q] for q in only}
-    return Formula(tuple(text.replace(" = ", " &= ", 1) for text in chosen.values()))
+    lines: list[str] = []
+    for left, terms in chosen.values():
+        pieces = [f"- {t[1:]}" if t.startswith("-") else f"+ {t}" for t in terms] or ["0"]
+        first, *others = _wrapped([pieces[0].removeprefix("+ "), *pieces[1:]])
+        lines += [f"{left} &= {first}", *(f"&\\quad {line}" for line in others)]
+    return Formula(tuple(lines))
 
 
 def secular(case: Expansion, order: int, only: Sequence[sp.Expr] | None = None) -> Formula:
@@ -214,12 +280,15 @@ def polynomial(case: Expansion) -> Formula:
 
 def _wrapped(pieces: Sequence[str]) -> list[str]:
     """Pieces joined to lines."""
-    lines = [pieces[0]]
+    lines, used = [pieces[0]], _width(pieces[0])
     for piece in pieces[1:]:
-        if len(lines[-1]) + len(piece) > LINE:
+        width = _width(piece)
+        if used + width > LINE:
             lines.append(piece)
+            used = width
         else:
             lines[-1] += f" {piece}"
+            used += width
     return lines
 
 
