@@ -1,0 +1,245 @@
+"""The text of a case module: header, constants, kernels, functions."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+from fractions import Fraction
+from hashlib import sha256
+from string import Template
+
+from .._version import __version__
+from ..errors import EmissionError
+from ..ir import fresh
+from ..parameters import Parameter
+from .docstrings import domain_of, function_docstring, module_docstring
+from .kernels import EmittedFunction, Kernel
+from .numpy_target import LINE_LENGTH, kernel_text, wrapped
+from .setting import Setting
+
+__all__ = ["case_text", "digest_of", "fill"]
+
+_MODULE = Template('''\
+# Emitted by mmsgen $version from $derivation: change that, not this file.
+# Made from sha256 $digest
+$operations
+"""$docstring"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+$imports
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+$exported
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = $relations
+
+#: the highest power of ε
+ORDER = $order
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = $coordinates
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+$parameters
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = $frame
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = $variables
+$aliases
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+$kernels
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+$functions''')
+
+
+def fill(template: Template, keys: dict[str, str]) -> str:
+    """Fill in a template; it and the keys must name the same things.
+
+    Raises
+    ------
+    EmissionError
+        If a key is missing or not wanted.
+    """
+    wanted = set(template.get_identifiers())
+    if wanted != set(keys):
+        raise EmissionError(
+            f"a template wants {sorted(wanted - set(keys))} and was given "
+            f"{sorted(set(keys) - wanted)} besides"
+        )
+    return template.substitute(keys)
+
+
+def digest_of(functions: Sequence[EmittedFunction]) -> str:
+    """SHA-256 of the formulas of all functions, as mathematics."""
+    kernels = (kernel for function in functions for kernel in function.kernels)
+    return sha256("\n".join(kernel.ir.canonical for kernel in kernels).encode()).hexdigest()
+
+
+def case_text(
+    setting: Setting,
+    functions: Sequence[EmittedFunction],
+    model: str,
+    derivation: str,
+    source: str,
+) -> str:
+    """The text of a case module."""
+    kernels = [kernel for function in functions for kernel in function.kernels]
+    names = _module_names(setting, functions, kernels)
+    counts = ", ".join(f"{k.name.lstrip('_')} {k.ir.operations}" for k in kernels)
+    used = {name for f in functions for name in f.uses}
+    used.update(name for k in kernels for name in k.uses)
+    used.add("checked")
+    exported = sorted((*_CONSTANTS, *(f.name for f in functions)), key=_all_order)
+    aliases = ""
+    if names["PARAMETERS"] != "PARAMETERS":
+        aliases = f"\n{names['PARAMETERS']} = PARAMETERS\n"
+    keys = {
+        "version": __version__,
+        "derivation": derivation,
+        "digest": digest_of(functions),
+        "operations": textwrap.fill(
+            f"Operations for each point: {counts}",
+            LINE_LENGTH,
+            initial_indent="# ",
+            subsequent_indent="# ",
+        ),
+        "docstring": module_docstring(setting, model, source),
+        "imports": _imports(used, names),
+        "exported": "\n".join(f'    "{name}",' for name in exported),
+        "relations": _tuple_text(setting.relations, "RELATIONS: tuple[str, ...] = "),
+        "order": str(setting.case.order),
+        "coordinates": _tuple_text(setting.coordinates, "COORDINATES = "),
+        "parameters": _parameters_text(functions),
+        "frame": _frame_text(setting),
+        "variables": _tuple_text(_variables(setting), "VARIABLES: tuple[str, ...] = "),
+        "aliases": aliases,
+        "kernels": "\n\n".join(kernel_text(k, names[k.name]) for k in kernels),
+        "functions": "\n\n".join(_function_text(f, setting, names) for f in functions),
+    }
+    return fill(_MODULE, keys)
+
+
+_CONSTANTS = ("COORDINATES", "FRAME", "ORDER", "PARAMETERS", "RELATIONS", "VARIABLES")
+
+
+def _all_order(name: str) -> tuple[int, str]:
+    return (0 if name.isupper() else 1, name)
+
+
+def _module_names(
+    setting: Setting, functions: Sequence[EmittedFunction], kernels: Sequence[Kernel]
+) -> dict[str, str]:
+    """Names at module level, none of them that of an argument, which would hide it."""
+    arguments = {p.name for f in functions for p in f.arguments}
+    wanted = ["PARAMETERS", "checked", *(name for f in functions for name in f.uses)]
+    wanted += [k.name for k in kernels]
+    return {name: fresh(name, arguments) for name in dict.fromkeys(wanted)}
+
+
+def _imports(used: set[str], names: dict[str, str]) -> str:
+    parts = []
+    for name in sorted(used):
+        alias = names.get(name, name)
+        parts.append(name)
+        if alias != name:
+            parts.append(f"{name} as {alias}")
+    line = f"from .._runtime import {', '.join(parts)}"
+    if len(line) <= LINE_LENGTH:
+        return line
+    return "from .._runtime import (\n" + "\n".join(f"    {part}," for part in parts) + "\n)"
+
+
+def _tuple_text(items: Sequence[str], head: str) -> str:
+    texts = [_quoted(item) for item in items]
+    line = f"({', '.join(texts)}{',' if len(texts) == 1 else ''})"
+    if len(head) + len(line) <= LINE_LENGTH:
+        return line
+    return "(\n" + "\n".join(wrapped(texts, 4)) + "\n)"
+
+
+def _quoted(text: str) -> str:
+    return '"' + text.replace("\\", "\\\\").replace('"', '\\"').replace("\n", " ") + '"'
+
+
+def _parameters_text(functions: Sequence[EmittedFunction]) -> str:
+    table: dict[str, Parameter] = {}
+    for function in functions:
+        for parameter in function.arguments:
+            table.setdefault(parameter.name, parameter)
+    lines = []
+    for name, parameter in table.items():
+        parts = [_quoted(t) for t in (domain_of(parameter), parameter.unit, parameter.meaning)]
+        line = f"    {_quoted(name)}: ({', '.join(parts)}),"
+        if len(line) > LINE_LENGTH:
+            inner = "\n".join(f"        {part}," for part in parts)
+            line = f"    {_quoted(name)}: (\n{inner}\n    ),"
+        lines.append(line)
+    return "\n".join(lines)
+
+
+def _number(c: Fraction) -> str:
+    return str(c.numerator) if c.denominator == 1 else f"{c.numerator} / {c.denominator}"
+
+
+def _frame_text(setting: Setting) -> str:
+    if setting.flow.frame is None:
+        return "None"
+    lines = []
+    for name, rates in zip(setting.coordinates, setting.flow.frame, strict=True):
+        inner = ", ".join(f"{_quoted(str(s.name))}: {_number(c)}" for s, c in rates.items())
+        lines.append(f"    {_quoted(name)}: {{{inner}}},")
+    return "{\n" + "\n".join(lines) + "\n}"
+
+
+def _variables(setting: Setting) -> tuple[str, ...]:
+    if setting.linear is None:
+        return ()
+    texts = []
+    for variable in setting.linear.variables:
+        barred = not variable.is_Symbol
+        name = variable.args[0].name if barred else variable.name
+        texts.append(f"conj({name})" if barred else name)
+    return tuple(texts)
+
+
+def _function_text(function: EmittedFunction, setting: Setting, names: dict[str, str]) -> str:
+    leading = [f"{name}: ArrayLike" for name, _ in function.leading]
+    if function.leading:
+        leading.append("/")
+    keywords = [f"{p.name}: ArrayLike" for p in function.arguments]
+    signature = [*leading, *(["*", *keywords] if keywords else [])]
+    head = f"def {function.name}({', '.join(signature)}) -> {function.returns}:"
+    if len(head) > LINE_LENGTH:
+        rows = "\n".join(wrapped(signature, 4))
+        head = f"def {function.name}(\n{rows}\n) -> {function.returns}:"
+    docstring = function_docstring(function, setting)
+    passed = [names["PARAMETERS"], *(f"{p.name}={p.name}" for p in function.arguments)]
+    call = f"{names['checked']}({', '.join(passed)})"
+    taken = {p.name for p in function.arguments} | set(names.values())
+    local = fresh("arguments", taken | {name for name, _ in function.leading})
+    lines = [f"    {local} = {call}"]
+    if len(lines[0]) > LINE_LENGTH:
+        lines = [f"    {local} = {names['checked']}(", *wrapped(passed, 8), "    )"]
+    body = function.body.format_map({**names, "arguments": local})
+    lines.append(f"    return {body}")
+    return head + "\n" + docstring + "\n" + "\n".join(lines) + "\n"

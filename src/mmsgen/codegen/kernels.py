@@ -1,0 +1,113 @@
+"""Records of what is emitted: `Kernel`, a formula, and `EmittedFunction`, what a user calls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..ir import IR
+from ..parameters import Parameter
+
+__all__ = ["RUNTIME", "EmittedFunction", "Kernel", "Reference"]
+
+#: what emitted modules may use of the code that they share
+RUNTIME = (
+    "checked",
+    "checked_amplitudes",
+    "conservative_growth",
+    "evaluate",
+    "evaluate_array",
+    "evaluate_pair",
+    "explicit_edges",
+    "growing",
+    "implicit_edges",
+    "largest",
+    "matrix_growth",
+    "multiply_out",
+    "no_edges",
+    "quadratic_growth",
+    "zone",
+)
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A formula without checks, evaluated by an emitted function block by block.
+
+    Attributes
+    ----------
+    name : str
+    ir : IR
+        Its outputs are named by what stands left of the assignment.
+    closing : str
+        The last statement; empty where the outputs are assigned in place.
+    leading : tuple of str
+        Arguments before those of the IR.
+    uses : tuple of str
+        Functions of the runtime that it calls.
+    """
+
+    name: str
+    ir: IR
+    closing: str = ""
+    leading: tuple[str, ...] = ()
+    uses: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Reference:
+    """Reference values at one point, each with the error that double precision may make.
+
+    Attributes
+    ----------
+    arguments : mapping
+        Keyword → number that a double holds exactly; amplitudes as a list.
+    shape : tuple of int
+        Of the values; the last axis of `values` counts fastest.
+    values, errors : tuple
+        Of mpmath numbers.
+    """
+
+    arguments: Mapping[str, Any]
+    shape: tuple[int, ...]
+    values: tuple[Any, ...]
+    errors: tuple[Any, ...]
+
+
+@dataclass(frozen=True)
+class EmittedFunction:
+    """A function that a user calls.
+
+    Attributes
+    ----------
+    name : str
+    arguments : tuple of Parameter
+    body : str
+        The return statement, in which ``{name}`` stands for a name at module level and
+        ``{arguments}`` for the checked arguments.
+    returns : str
+        Annotation of the result.
+    summary, description, result : str
+        For the docstring: one line, further paragraphs, the section on what is returned.
+    kernels : tuple of Kernel
+        Those that belong to this function.
+    uses : tuple of str
+        Functions of the runtime that the body calls.
+    leading : tuple of (name, description)
+        Arguments before the keywords.
+    reference : callable
+        Point → `Reference`.
+    """
+
+    name: str
+    arguments: tuple[Parameter, ...]
+    body: str
+    returns: str
+    summary: str
+    description: str
+    result: str
+    reference: Callable[[Mapping[str, Any]], Reference] = field(compare=False)
+    kernels: tuple[Kernel, ...] = ()
+    uses: tuple[str, ...] = ()
+    leading: tuple[tuple[str, str], ...] = ()

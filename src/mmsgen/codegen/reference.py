@@ -1,0 +1,76 @@
+"""Reference values beside each case: 50 digits, from the symbolic result, not from emitted code."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from typing import Any
+
+import mpmath
+
+from .._version import __version__
+from .case_module import digest_of
+from .kernels import EmittedFunction, Reference
+from .points import points_of, speed_points_of
+from .setting import Setting
+
+__all__ = ["DIGITS", "STORED", "reference_text"]
+
+#: decimal digits of the computation
+DIGITS = 50
+
+#: decimal digits that are stored
+STORED = 25
+
+
+def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> str:
+    """The JSON file of a case.
+
+    For each function a list of points: ``arguments``; ``shape``; ``values``, real ones as decimal
+    strings and complex ones as pairs of them, flat, the last axis fastest; ``errors``, bounds of
+    the absolute error that the emitted formula makes in double precision.
+    """
+    table: dict[str, list[dict[str, Any]]] = {}
+    with mpmath.workdps(DIGITS):
+        points = points_of(setting, functions)
+        for function in functions:
+            own = points
+            if function.name == "critical_speeds":
+                own = speed_points_of(setting, function)
+            table[function.name] = [_entry(function.reference(point)) for point in own]
+    content = {
+        "case": setting.name,
+        "mmsgen": __version__,
+        "sha256": digest_of(functions),
+        "digits": STORED,
+        "functions": table,
+    }
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def _entry(reference: Reference) -> dict[str, Any]:
+    return {
+        "arguments": {name: _argument(value) for name, value in reference.arguments.items()},
+        "shape": list(reference.shape),
+        "values": [_decimal(value) for value in reference.values],
+        "errors": [mpmath.nstr(_upward(error), 2) for error in reference.errors],
+    }
+
+
+def _argument(value: Any) -> Any:
+    if isinstance(value, list):
+        return [_argument(item) for item in value]
+    if isinstance(value, mpmath.mpc):
+        return [float(value.real), float(value.imag)]
+    return float(value)
+
+
+def _decimal(value: Any) -> Any:
+    if isinstance(value, mpmath.mpc):
+        return [_decimal(value.real), _decimal(value.imag)]
+    return mpmath.nstr(mpmath.mpf(value), STORED)
+
+
+def _upward(error: Any) -> Any:
+    """A bound that is still one after rounding to two digits."""
+    return mpmath.mpf(error) * mpmath.mpf("1.06")
