@@ -233,7 +233,8 @@ class _Judge:
 
     def _conservative(self, factor: MonicFactor) -> FactorVerdict:
         discriminant = _discriminant(factor)
-        name, shown = "the discriminant of {0}", (self._shown(factor),)
+        name = "the discriminant of {0}"
+        shown: tuple[sp.Expr, ...] = (self._shown(factor),)
         if not discriminant:
             return FactorVerdict(
                 factor, "conservative", (), False, f"{name} vanishes identically", shown

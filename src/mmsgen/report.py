@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from .certificate import Certificate
     from .equations import EquationsOfMotion
     from .expansion import Expansion
+    from .factoring import MonicFactor
     from .parameters import Parameter
     from .scaling import ScaledSystem
 
@@ -38,7 +39,7 @@ __all__ = [
     "zone_table",
 ]
 
-LINE = 62
+LINE = 56
 """Width of a line in characters as they are seen."""
 
 _FRACTION = re.compile(r"\\frac\{([^{}]*)\}\{([^{}]*)\}")
@@ -248,34 +249,34 @@ def solvability(case: Expansion, order: int, only: Sequence[sp.Expr] | None = No
 def polynomial(case: Expansion) -> Formula:
     """The characteristic polynomial of the slow flow, by factors."""
     gamma = sp.Symbol("Gamma")
-    value = case.slow_flow.characteristic_polynomial(gamma)
     lines: list[str] = []
-    for factor in sp.Mul.make_args(value):
-        base, exponent = factor.as_base_exp()
-        power = "" if exponent == 1 else f"^{{{exponent}}}"
+    for factor in sorted(case.slow_flow.linear.factors, key=lambda f: f.degree):
+        power = "" if factor.multiplicity == 1 else f"^{{{factor.multiplicity}}}"
         head = r"\quad \cdot " if lines else r"P(\Gamma) = "
-        if base == gamma:
-            lines.append(f"&{head}\\Gamma{power}")
+        if not any(factor.coefficients[:-1]):
+            lines.append(f"&{head}{sp.latex(gamma ** (factor.degree * factor.multiplicity))}")
             continue
-        pieces: list[str] = []
-        for k in range(sp.degree(base, gamma), -1, -1):
-            c = base.coeff(gamma, k)
-            tail = "" if k == 0 else sp.latex(gamma**k)
-            if c == 1:
-                pieces.append(f"+ {tail}")
-            elif c != 0:
-                inner = _pieces(c)
-                if len(inner) > 1 and k:
-                    inner = [f"+ \\Bigl( {inner[0].removeprefix('+ ')}", *inner[1:]]
-                    inner[-1] += f" \\Bigr) {tail}"
-                else:
-                    inner[-1] += f" {tail}"
-                pieces += inner
-        text = _wrapped(pieces)
+        text = _wrapped(_powers(case, factor, gamma))
         lines.append(f"&{head}\\Bigl[ {text[0].removeprefix('+ ')}")
         lines += [f"&\\qquad {t}" for t in text[1:]]
         lines[-1] += f" \\Bigr]{power}"
     return Formula(tuple(lines))
+
+
+def _powers(case: Expansion, factor: MonicFactor, gamma: sp.Symbol) -> list[str]:
+    """The terms of a factor, highest power of Γ first."""
+    pieces = [f"+ {sp.latex(gamma**factor.degree)}"]
+    for k in range(factor.degree - 1, -1, -1):
+        if not factor.coefficients[k]:
+            continue
+        inner = _pieces(case.symbols(factor.coefficients[k]))
+        if k and len(inner) > 1:
+            inner[0] = f"+ \\Bigl( {inner[0].removeprefix('+ ')}"
+            inner[-1] += " \\Bigr)"
+        if k:
+            inner[-1] += f" {sp.latex(gamma**k)}"
+        pieces += inner
+    return pieces
 
 
 def _wrapped(pieces: Sequence[str]) -> list[str]:
