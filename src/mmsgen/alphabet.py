@@ -17,10 +17,15 @@ from .cyclotomic import gauss_sum
 from .errors import ScalingError
 from .field import ParameterField
 
-__all__ = ["Alphabet", "Phasor", "fraction", "phase_terms", "survey"]
+__all__ = ["CONSTANT_NAMES", "Alphabet", "Phasor", "fraction", "phase_terms", "survey"]
 
 PERIODIC = (sp.cos, sp.sin, sp.exp, sp.tan, sp.cot, sp.sec, sp.csc)
 CONSTANTS = (sp.pi, sp.E, sp.EulerGamma, sp.GoldenRatio, sp.Catalan)
+CONSTANT_NAMES = {f"<{c}>": c for c in CONSTANTS}
+"""Generator name of each constant: no identifier, so that no parameter can have it."""
+
+INVERSE = (sp.asin, sp.acos, sp.atan)
+"""Their values are multiples of π."""
 
 
 @dataclass(frozen=True)
@@ -70,13 +75,18 @@ class Alphabet:
     roots: dict[str, int]
     phasors: tuple[Phasor, ...]
 
+    @property
+    def positive(self) -> frozenset[str]:
+        """The generators that are known to be positive."""
+        return frozenset((*CONSTANT_NAMES, *(s.name for s in self.symbols if s.is_positive)))
+
 
 @dataclass
 class _Findings:
     steps: dict[tuple[bool, sp.Expr], Fraction] = field(default_factory=dict)
     order: int = 4
     roots: dict[str, int] = field(default_factory=dict)
-    constants: list[sp.Expr] = field(default_factory=list)
+    constants: set[sp.Expr] = field(default_factory=set)
 
     def step(self, moving: bool, base: sp.Expr, coefficient: Fraction) -> None:
         old = self.steps.get((moving, base), Fraction(0))
@@ -178,7 +188,8 @@ def survey(
             if node not in seen:
                 seen.add(node)
                 _inspect(node, time, moving_parts, found)
-    names = [str(s.name) for s in symbols] + [str(c) for c in found.constants]
+    names = [str(s.name) for s in symbols]
+    names += [name for name, c in CONSTANT_NAMES.items() if c in found.constants]
     phasors = [
         Phasor(base, step, moving)
         for (moving, base), step in sorted(
@@ -210,12 +221,13 @@ def _inspect(
         if node.base.is_Symbol:
             name = str(node.base.name)
             found.roots[name] = lcm(found.roots.get(name, 1), int(node.exp.q))
-        elif node.base.is_Rational and node.exp.q == 2:
-            radicand = abs(int(node.base.p * node.base.q))
-            squarefree = sp.core.numbers.Integer(sp.ntheory.factor_.core(radicand))
+        elif node.exp.q == 2:
+            at_rest = node.base.xreplace(dict.fromkeys(moving_parts, sp.Integer(0)))
+            content = sp.Abs(at_rest.as_content_primitive()[0])
+            squarefree = int(sp.ntheory.factor_.core(int(content.p * content.q)))
             if squarefree > 1:
-                found.order = lcm(found.order, gauss_sum(int(squarefree))[0])
-    elif node in CONSTANTS and node not in found.constants and node is not sp.pi:
-        found.constants.append(node)
-    elif node is sp.pi and node not in found.constants:
-        found.constants.append(node)
+                found.order = lcm(found.order, gauss_sum(squarefree)[0])
+    elif node in CONSTANTS:
+        found.constants.add(node)
+    elif isinstance(node, INVERSE):
+        found.constants.add(sp.pi)

@@ -3,6 +3,8 @@
 A criterion E(σ) = Σ ε^k E_k(σ) whose leading part is quadratic in σ has, for each of its two simple
 roots, one series σ = εσ_1 + ε²σ_2 + …. With √D the root of the leading discriminant, every term is
 of the form a + b√D with a and b in the coefficient field: exact arithmetic in that extension.
+Where the leading part has a double root, the coupling being of a higher order, the detuning is
+counted from that root and one order later (Newton's polygon).
 """
 
 from __future__ import annotations
@@ -66,7 +68,8 @@ class EdgeSeries:
     Attributes
     ----------
     rational, radical : tuple of Coefficient
-        a_p and b_p for p = 1, 2, …; b_1 is positive where the zone exists.
+        a_p and b_p for p = 1, 2, …; the first b_p that is not zero is positive where the zone
+        exists.
     radicand : Coefficient
         D, positive exactly where the zone exists to leading order.
     """
@@ -94,25 +97,48 @@ def edge_series(
     Returns
     -------
     EdgeSeries or None
-        None where the leading part is not quadratic in the detuning.
+        None where the leading part is not quadratic in the detuning, is positive outside of its
+        roots, or the two edges are the same through the order.
     """
+    field = criterion[0].field
+    centre: list[Coefficient] = []
+    for start in range(weights[detuning], order + 1):
+        parts = _by_weight(criterion, weights, start)
+        lowest = min(parts, default=0)
+        lead = parts.get(lowest, {})
+        if max(lead, default=0) != 2:
+            return None
+        p0, p1, p2 = (lead.get(k, field.zero) for k in range(3))
+        radicand = p1 * p1 - (p0 * p2).scale(4)
+        if radicand:
+            levels = [parts.get(lowest + k, {}) for k in range(order + 1 - start)]
+            tail = _newton(field, levels, (p1, p2, radicand))
+            nothing = (field.zero,) * len(centre)
+            return EdgeSeries((*centre, *tail.rational), (*nothing, *tail.radical), radicand)
+        root = -(p1 * p2.inverse()).scale(Fraction(1, 2))
+        centre.append(root)
+        criterion = _shifted(criterion, root)
+    return None
+
+
+def _by_weight(
+    criterion: Sequence[Coefficient], weights: Mapping[str, int], start: int
+) -> dict[int, dict[int, Coefficient]]:
+    """Order in ε → power of the detuning → coefficient, for a detuning of order `start`."""
     parts: dict[int, dict[int, Coefficient]] = {}
     for power, c in enumerate(criterion):
         for weight, part in weighted_parts(c, weights).items():
-            parts.setdefault(weight + power * weights[detuning], {})[power] = part
-    if not parts:
-        return None
-    lowest = min(parts)
-    lead = parts[lowest]
-    if max(lead) != 2:
-        return None
-    field = criterion[0].field
-    p0, p1, p2 = (lead.get(k, field.zero) for k in range(3))
-    radicand = p1 * p1 - (p0 * p2).scale(4)
-    if not radicand:
-        return None
-    levels = [parts.get(lowest + k, {}) for k in range(order)]
-    return _newton(field, levels, (p1, p2, radicand))
+            parts.setdefault(weight + power * start, {})[power] = part
+    return parts
+
+
+def _shifted(criterion: Sequence[Coefficient], root: Coefficient) -> tuple[Coefficient, ...]:
+    """The criterion in the detuning counted from `root`, by Horner's scheme."""
+    result = list(criterion)
+    for lowest in range(len(result) - 1):
+        for k in range(len(result) - 2, lowest - 1, -1):
+            result[k] = result[k] + result[k + 1] * root
+    return tuple(result)
 
 
 def _newton(

@@ -13,7 +13,6 @@ from functools import cached_property
 
 import sympy as sp
 
-from .alphabet import CONSTANTS
 from .errors import ExpansionError, ResonanceError
 from .expressions import FieldSymbols, rational, series_expression
 from .parameters import Parameter
@@ -76,8 +75,7 @@ class Expansion:
         """The coefficient field in the user's symbols."""
         roots = self.weak.scaled.alphabet.roots
         table = {p.name: p.symbol ** sp.Rational(1, roots.get(p.name, 1)) for p in self.parameters}
-        constants = {str(c): c for c in CONSTANTS}
-        return FieldSymbols(self.weak.ring.field, {**constants, **table})
+        return FieldSymbols(self.weak.ring.field, table)
 
     def detuning_phase(self, key: int) -> sp.Expr:
         """The slow phase of the phasors in a monomial, over t; constant phases included over 1."""
@@ -87,6 +85,12 @@ class Expansion:
             if k and m in self.weak.rates:
                 moving += k * self.symbols(self.weak.rates[m].times_i(-1))
         return moving
+
+    def phase_key(self, key: int) -> int:
+        """The constant phases of a monomial as a monomial of their own."""
+        ring, phasors = self.weak.ring, self.weak.scaled.alphabet.phasors
+        exponents = ring.packing.exponents(key)[2 * ring.n :]
+        return ring.z(0 if p.moving else k for p, k in zip(phasors, exponents, strict=True))
 
     def constant_phase(self, key: int) -> sp.Expr:
         """The constant phases in a monomial."""

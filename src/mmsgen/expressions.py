@@ -8,6 +8,7 @@ from fractions import Fraction
 import sympy as sp
 from flint import fmpq_mpoly
 
+from .alphabet import CONSTANT_NAMES
 from .field import Coefficient, ParameterField
 from .partial_fractions import partial_fractions
 from .series import HarmonicRing, Series
@@ -27,12 +28,14 @@ class FieldSymbols:
     ----------
     field : ParameterField
     symbols : mapping
-        Generator name → the SymPy expression that it stands for.
+        Generator name → the SymPy expression that it stands for; constants are known.
     """
 
     def __init__(self, field: ParameterField, symbols: Mapping[str, sp.Expr]) -> None:
         self.field = field
-        self._gens = [symbols.get(name, sp.Symbol(name, real=True)) for name in field.names]
+        self._shown: dict[int, tuple[Coefficient, sp.Expr]] = {}
+        known = {**CONSTANT_NAMES, **symbols}
+        self._gens = [known.get(name, sp.Symbol(name, real=True)) for name in field.names]
 
     def polynomial(self, p: fmpq_mpoly) -> sp.Expr:
         """A polynomial, expanded."""
@@ -56,7 +59,12 @@ class FieldSymbols:
 
     def __call__(self, c: Coefficient) -> sp.Expr:
         """A coefficient as a sum over its divisors where that is shorter, else as one fraction."""
-        return sp.Add(*(self._fraction(part) for part in partial_fractions(c)))
+        # Coefficients are immutable; one that is kept beside its expression keeps its identity.
+        known = self._shown.get(id(c))
+        if known is None:
+            expression = sp.Add(*(self._fraction(part) for part in partial_fractions(c)))
+            known = self._shown[id(c)] = (c, expression)
+        return known[1]
 
     def _fraction(self, c: Coefficient) -> sp.Expr:
         """A coefficient as one fraction, its numerator factored and its divisors kept apart."""

@@ -18,7 +18,8 @@ from .field import Coefficient, ParameterField
 
 __all__ = ["Detuned", "Graded", "Grading"]
 
-EPSILON = "ε"
+EPSILON = "<ε>"
+"""No identifier, so that no parameter can have this name."""
 
 Graded = dict[int, Coefficient]
 """Order in ε → non-zero coefficient."""

@@ -21,7 +21,7 @@ from .grading import Grading
 from .symbols import coordinate_name
 from .taylor import Polynomial, Taylor
 
-__all__ = ["GradedTerm", "LinearForm", "graded_terms", "leading_order"]
+__all__ = ["GradedTerm", "LinearForm", "graded_terms", "leading_inertias", "leading_order"]
 
 LinearForm = dict[str, Fraction]
 """Name of a frequency symbol, or ``"1"`` → rational coefficient."""
@@ -84,20 +84,53 @@ def leading_order(
     """
     inertias, frequencies = [], []
     for j, terms in enumerate(equations):
-        mass, stiffness = field.zero, field.zero
-        n = len(taylor.coordinates)
-        for term in terms:
-            if term.order:
-                continue
-            if term.key == taylor.packing.unit[j]:
-                stiffness = term.coefficient
-            elif term.key == taylor.packing.unit[2 * n + j]:
-                mass = term.coefficient
-            else:
-                _check_other(taylor, term.key, j)
+        mass, stiffness = _own_terms(taylor, terms, field, j)
         inertias.append(mass)
         frequencies.append(_frequency(taylor.coordinates[j], mass, stiffness, field))
     return tuple(inertias), tuple(frequencies)
+
+
+def leading_inertias(
+    taylor: Taylor, equations: Sequence[Sequence[GradedTerm]], field: ParameterField
+) -> tuple[Coefficient, ...]:
+    """Inertias M0 alone, for equations whose frequencies are known from before the detuning.
+
+    Raises
+    ------
+    ScalingError
+        If an equation is coupled, damped, parametrically excited or nonlinear at leading order, or
+        loses its inertia on the resonance.
+    """
+    inertias = []
+    for j, terms in enumerate(equations):
+        mass, _ = _own_terms(taylor, terms, field, j)
+        if not mass:
+            raise _no_inertia(taylor.coordinates[j])
+        inertias.append(mass)
+    return tuple(inertias)
+
+
+def _own_terms(
+    taylor: Taylor, terms: Sequence[GradedTerm], field: ParameterField, j: int
+) -> tuple[Coefficient, Coefficient]:
+    """M0 and K0 of equation j, which may hold nothing else at leading order but forcing."""
+    mass, stiffness = field.zero, field.zero
+    for term in terms:
+        if term.order:
+            continue
+        if term.key == taylor.packing.unit[j]:
+            stiffness = term.coefficient
+        elif term.key == taylor.packing.unit[2 * len(taylor.coordinates) + j]:
+            mass = term.coefficient
+        else:
+            _check_other(taylor, term.key, j)
+    return mass, stiffness
+
+
+def _no_inertia(q: sp.Expr) -> ScalingError:
+    return ScalingError(
+        f"the equation of {q} at leading order has no inertia {q}'': nothing oscillates"
+    )
 
 
 def _check_other(taylor: Taylor, key: int, j: int) -> None:
@@ -143,7 +176,7 @@ def _frequency(
     """ω = √(K0/M0) as a linear form in frequency symbols."""
     where = f"the equation of {q} at leading order"
     if not mass:
-        raise ScalingError(f"{where} has no inertia {q}'': nothing oscillates")
+        raise _no_inertia(q)
     if not stiffness:
         raise ScalingError(
             f"{where} has no stiffness, so {q} does not oscillate: leave its stiffness at order 0"

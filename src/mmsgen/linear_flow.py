@@ -17,6 +17,7 @@ import numpy as np
 import sympy as sp
 
 from .boundary import Stability, stability
+from .errors import ExpansionError
 from .factoring import MonicFactor, factor_monic
 from .field import Coefficient
 from .numeric import Evaluator
@@ -39,11 +40,15 @@ class Block:
     ----------
     nodes : tuple of Node
     entries : tuple of tuple of Coefficient
-        The square matrix of the block.
+        The square matrix of the block, for amplitudes turned back by `phases`.
+    phases : tuple of int
+        For each node the constant phase factor that it is turned by, as a packed monomial; 0
+        where the equations hold no symbolic phase.
     """
 
     nodes: tuple[Node, ...]
     entries: tuple[tuple[Coefficient, ...], ...]
+    phases: tuple[int, ...]
 
     @cached_property
     def polynomial(self) -> tuple[Coefficient, ...]:
@@ -82,9 +87,19 @@ class LinearFlow:
     @cached_property
     def matrix(self) -> sp.ImmutableDenseMatrix:
         """The block-diagonal matrix of the slow flow."""
-        show = self.flow.case.symbols
+        case = self.flow.case
+
+        def shown(c: Coefficient, row: int, column: int) -> sp.Expr:
+            return case.symbols(c) * sp.exp(sp.I * case.constant_phase(row - column))
+
         parts = [
-            sp.Matrix([[show(c) for c in row] for row in block.entries]) for block in self.blocks
+            sp.Matrix(
+                [
+                    [shown(c, p, q) for c, q in zip(row, block.phases, strict=True)]
+                    for row, p in zip(block.entries, block.phases, strict=True)
+                ]
+            )
+            for block in self.blocks
         ]
         return sp.ImmutableDenseMatrix(sp.diag(*parts))
 
@@ -139,35 +154,79 @@ class LinearFlow:
 
 
 def linear_flow(flow: SlowFlow) -> LinearFlow:
-    """Split a linear autonomous slow flow into blocks."""
-    entries = _entries(flow)
+    """Split a linear autonomous slow flow into blocks.
+
+    Raises
+    ------
+    ExpansionError
+        If the growth depends on a symbolic constant phase.
+    """
+    entries, turns = _entries(flow)
     blocks = []
     for nodes in _components(flow.case.weak.ring.n, entries):
         zero = flow.case.weak.ring.field.zero
         rows = tuple(tuple(entries.get((a, b), zero) for b in nodes) for a in nodes)
-        blocks.append(Block(nodes, rows))
+        blocks.append(Block(nodes, rows, _node_phases(flow, nodes, turns)))
     return LinearFlow(flow, tuple(blocks))
 
 
-def _entries(flow: SlowFlow) -> dict[tuple[Node, Node], Coefficient]:
-    """d(node)/dt = Σ entries[node, other]·other, for amplitudes and conjugates."""
-    ring = flow.case.weak.ring
+def _node_phases(
+    flow: SlowFlow, nodes: tuple[Node, ...], turns: Mapping[tuple[Node, Node], int]
+) -> tuple[int, ...]:
+    """Turn each amplitude of a block by a constant phase so that its matrix is free of them."""
+    phases = {nodes[0]: 0}
+    pending = dict(turns)
+    while len(phases) < len(nodes):
+        for (row, column), turn in pending.items():
+            if row in phases and column not in phases:
+                phases[column] = phases[row] - turn
+            elif column in phases and row not in phases:
+                phases[row] = phases[column] + turn
+    for (row, column), turn in turns.items():
+        if row in phases and turn != phases[row] - phases[column]:
+            raise _phase_error(flow, turn - phases[row] + phases[column])
+    return tuple(phases[node] for node in nodes)
+
+
+def _phase_error(flow: SlowFlow, key: int) -> ExpansionError:
+    angle = flow.case.constant_phase(key)
+    return ExpansionError(
+        f"the stability depends on the constant phase {angle}, and the matrix has no rational "
+        f"form: write the cosine and the sine of that phase as two parameters, or use .cartesian "
+        "and .jacobian"
+    )
+
+
+def _entries(
+    flow: SlowFlow,
+) -> tuple[dict[tuple[Node, Node], Coefficient], dict[tuple[Node, Node], int]]:
+    """d(node)/dt = Σ entries[node, other]·e^{i·phase}·other, and the phase monomials."""
+    case, ring = flow.case, flow.case.weak.ring
     field = ring.field
     terms: dict[tuple[Node, Node], list[Coefficient]] = {}
+    turns: dict[tuple[Node, Node], int] = {}
     for j, series in enumerate(flow.rates):
         for key, c in series.items():
             exponents = ring.packing.exponents(key)[: 2 * ring.n]
             i, barred = divmod(exponents.index(1), 2)
+            turn = case.phase_key(key)
+            if turns.setdefault(((j, 0), (i, barred)), turn) != turn:
+                raise _phase_error(flow, turn - turns[(j, 0), (i, barred)])
+            turns[(j, 1), (i, 1 - barred)] = -turn
             terms.setdefault(((j, 0), (i, barred)), []).append(c)
             terms.setdefault(((j, 1), (i, 1 - barred)), []).append(c.conjugate())
         assert flow.frame is not None
         form = {str(s.name): c for s, c in flow.frame[j].items()}
-        turn = field.polynomial(field.linear(form)).times_i()
-        if turn:
-            terms.setdefault(((j, 0), (j, 0)), []).append(-turn)
-            terms.setdefault(((j, 1), (j, 1)), []).append(turn)
+        frame = field.polynomial(field.linear(form)).times_i()
+        if frame:
+            for b, rate in ((0, -frame), (1, frame)):
+                node = (j, b)
+                if turns.setdefault((node, node), 0):
+                    raise _phase_error(flow, turns[node, node])
+                terms.setdefault((node, node), []).append(rate)
     sums = ((pair, field.sum(cs)) for pair, cs in terms.items())
-    return {pair: c for pair, c in sums if c}
+    entries = {pair: c for pair, c in sums if c}
+    return entries, {pair: turn for pair, turn in turns.items() if pair in entries}
 
 
 def _components(n: int, entries: Mapping[tuple[Node, Node], Coefficient]) -> list[tuple[Node, ...]]:

@@ -44,9 +44,35 @@ class Relation:
         return sp.Eq(self.lhs, self.rhs, evaluate=False)
 
 
+def _expression(side: object) -> sp.Expr:
+    """One side of a relation; text is refused, because SymPy would execute it."""
+    try:
+        expression = sp.sympify(side, strict=True)
+    except sp.SympifyError:
+        expression = None
+    if not isinstance(expression, sp.Expr):
+        raise ResonanceError(
+            f"a relation contains {side!r}, which is no expression: write frequency symbols and "
+            "numbers like {Omega: omega_1 + omega_2}; text is not evaluated"
+        )
+    return expression
+
+
+def _pairs(resonance: object) -> list[tuple[sp.Expr, sp.Expr]]:
+    """Both sides of every relation."""
+    if resonance is None:
+        return []
+    if not isinstance(resonance, Mapping):
+        raise ResonanceError(
+            f"relations are written as a mapping like {{Omega: omega_1 + omega_2}}, got "
+            f"{resonance!r}; a Resonance of a table has it as .mapping"
+        )
+    return [(_expression(lhs), _expression(rhs)) for lhs, rhs in resonance.items()]
+
+
 def _linear_form(expression: sp.Expr, frequencies: Sequence[sp.Symbol]) -> LinearForm:
     form: LinearForm = {}
-    for term, c in sp.expand(sp.sympify(expression)).as_coefficients_dict().items():
+    for term, c in sp.expand(expression).as_coefficients_dict().items():
         if not c.is_Rational or not (term == 1 or term.is_Symbol):
             raise ResonanceError(
                 f"{expression} is not a rational combination of frequencies (offending part: "
@@ -54,6 +80,11 @@ def _linear_form(expression: sp.Expr, frequencies: Sequence[sp.Symbol]) -> Linea
             )
         if term != 1 and term not in frequencies:
             known = ", ".join(str(f) for f in frequencies) or "none"
+            if str(term) in known.split(", "):
+                raise ResonanceError(
+                    f"{term} in the relation is another symbol than the {term} of the equations, "
+                    "which is positive: use one and the same symbol object"
+                )
             raise ResonanceError(
                 f"{term} in the relation is no frequency of this system; its frequencies: {known}"
             )
@@ -100,12 +131,11 @@ def solve_relations(
         If a relation names what is no frequency, contradicts another, follows from the others, or
         leaves no frequency to detune.
     """
-    resonance = dict(resonance or {})
+    pairs = _pairs(resonance)
     relations: list[Relation] = []
     solved: dict[str, LinearForm] = {}
-    for index, (left, right) in enumerate(resonance.items()):
-        lhs, rhs = sp.sympify(left), sp.sympify(right)
-        sigma = detuning(index, len(resonance))
+    for index, (lhs, rhs) in enumerate(pairs):
+        sigma = detuning(index, len(pairs))
         if sigma.name in taken:
             raise ResonanceError(f"the parameter {sigma} has the name of a detuning: rename it")
         left_form = _linear_form(lhs, frequencies)

@@ -18,6 +18,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
+from .errors import MmsgenError
 from .expressions import FieldSymbols, rational
 from .field import Coefficient, ParameterField
 from .numeric import named_values
@@ -65,10 +66,26 @@ class Resonance:
         return {self.relation.lhs: self.relation.rhs}
 
     def distance(self, values: Mapping[Any, Any], parameters: Any) -> float:
-        """Distance from resonance in Hz, |lhs − rhs|/2π, at numbers."""
+        """Distance from resonance in Hz, |lhs − rhs|/2π, at numbers.
+
+        Raises
+        ------
+        MmsgenError
+            If a frequency has no value, or an array of values.
+        """
         table = named_values(parameters, values)
+        symbols = sorted(self.relation.free_symbols, key=str)
+        missing = [str(s) for s in symbols if str(s) not in table]
+        if missing:
+            raise MmsgenError(
+                f"no value is given for {', '.join(missing)}, so the distance from "
+                f"{self.relation.lhs} = {self.relation.rhs} is unknown"
+            )
+        arrays = [str(s) for s in symbols if np.ndim(table[str(s)])]
+        if arrays:
+            raise MmsgenError(f"resonances are ranked at one point: {arrays[0]} must be a number")
         gap = (self.relation.lhs - self.relation.rhs).subs(
-            {s: table[str(s)] for s in self.relation.free_symbols}
+            {s: sp.Float(float(table[str(s)])) for s in symbols}
         )
         return float(abs(gap) / (2 * np.pi))
 

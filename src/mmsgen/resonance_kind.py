@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from .series import Form
 from .weak import WeakSystem
@@ -28,6 +29,9 @@ def kind_of(weak: WeakSystem, form: Form, signatures: Sequence[tuple[int, tuple[
     """
     natural = {name for f in weak.scaled.natural_frequencies for name in f}
     pairs = list(zip((*weak.ring.basis, "1"), form, strict=True))
+    step = _numeric_step(weak)
+    whole = (form[-1] / step).denominator
+    pairs = [(name, whole * (c / step if name == "1" else c)) for name, c in pairs]
     modes = [(name, c) for name, c in pairs if c and name in natural]
     drives = [(name, c) for name, c in pairs if c and name not in natural]
     if not drives:
@@ -51,6 +55,12 @@ def kind_of(weak: WeakSystem, form: Form, signatures: Sequence[tuple[int, tuple[
         return f"subharmonic {ratio}" if abs(c) > abs(d) else f"superharmonic {multiple}"
     signs = {c > 0 for _, c in modes}
     return "sum combination" if len(signs) == 1 else "difference combination"
+
+
+def _numeric_step(weak: WeakSystem) -> Fraction:
+    """The frequency of a numeric excitation such as cos 2t; 1 where there is none."""
+    steps = (p.step for p in weak.scaled.alphabet.phasors if p.moving and p.base == 1)
+    return next(steps, Fraction(1))
 
 
 def _free_of_amplitudes(

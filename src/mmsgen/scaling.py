@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
+from operator import index
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -21,9 +22,11 @@ from .grading import Grading
 from .leading import GradedTerm, LinearForm, graded_terms, leading_order
 from .relations import solve_relations
 from .resonance import enumerate_resonances
-from .symbols import coordinate_name
+from .symbols import amplitude as amplitude_of
+from .symbols import coordinate_name, imaginary_part, modulus, phase, real_part
 from .tables import ResonanceTable
 from .taylor import Polynomial, Taylor
+from .truncation import weight_limit
 from .weak import WeakSystem, weak_system
 
 if TYPE_CHECKING:
@@ -58,7 +61,13 @@ def scale(
         If a parameter is unknown or scaled twice, an order is not a whole number ≥ 0, or the
         leading-order part is not a set of uncoupled oscillators.
     """
+    if not isinstance(orders, Mapping):
+        raise ScalingError(
+            "orders are written as a mapping parameter -> order like {epsilon: 1}, "
+            f"got {orders!r}"
+        )
     known = {p.name: p.symbol for p in eom.parameters}
+    _check_names(eom, known)
     resolved: dict[str, int] = {}
     for key, order in orders.items():
         name = key if isinstance(key, str) else str(getattr(key, "name", key))
@@ -70,9 +79,7 @@ def scale(
             )
         if name in resolved:
             raise ScalingError(f"the parameter {name} is scaled twice: give it one order")
-        if isinstance(order, bool) or int(order) != order or order < 0:
-            raise ScalingError(f"the order of {name} must be a whole number >= 0, got {order!r}")
-        resolved[name] = int(order)
+        resolved[name] = _whole(order, f"the order of {name}", 0)
     return ScaledSystem(
         eom,
         tuple((known[name], order) for name, order in resolved.items()),
@@ -82,13 +89,39 @@ def scale(
     )
 
 
+def _whole(value: object, what: str, least: int) -> int:
+    """A whole number, of whatever type."""
+    try:
+        number = least - 1 if isinstance(value, bool) else index(value)  # type: ignore[arg-type]
+    except TypeError:
+        number = least - 1
+    if number < least:
+        raise ScalingError(f"{what} must be a whole number >= {least}, got {value!r}")
+    return number
+
+
+def _check_names(eom: EquationsOfMotion, known: Mapping[str, sp.Symbol]) -> None:
+    """Amplitudes and phases are symbols too, which no parameter may be confused with."""
+    for q in eom.coordinates:
+        for made in (amplitude_of, modulus, phase, real_part, imaginary_part):
+            name = str(made(q).name)
+            if name in known:
+                raise ScalingError(
+                    f"the parameter {name} has the name of an amplitude or phase of {q} in the "
+                    "slow flow: rename the parameter"
+                )
+
+
 def _is_coordinate(eom: EquationsOfMotion, key: object) -> bool:
     return any(key == q or str(key) == coordinate_name(q) for q in eom.coordinates)
 
 
 def _amplitude_order(q: sp.Expr, value: object) -> Fraction:
-    order = sp.sympify(value)
-    if not order.is_Rational or order < 0:
+    try:
+        order = sp.sympify(value, strict=True)
+    except sp.SympifyError:
+        order = sp.nan
+    if not isinstance(order, sp.Rational) or order < 0:
         raise ScalingError(
             f"the order of the amplitude of {q} must be a rational number >= 0, got {value!r}"
         )
@@ -146,7 +179,10 @@ class ScaledSystem:
 
     def polynomials(self, order: int) -> tuple[Taylor, tuple[Polynomial, ...]]:
         """The equations as polynomials in q, q', q'' and phasors, exact through ε^order."""
-        limit = max(self.amplitude, default=Fraction(0)) + (order if any(self.amplitude) else 0)
+        limit = max(self.amplitude) + (order if any(self.amplitude) else 0)
+        if any(self.amplitude):
+            taylor = Taylor(self.alphabet, self.eom.coordinates, self.amplitude, limit)
+            limit = weight_limit(taylor, self.eom.equations, self.generator_orders, limit)
         if limit not in self._cache:
             taylor = Taylor(self.alphabet, self.eom.coordinates, self.amplitude, limit)
             self._cache[limit] = taylor, tuple(taylor(e) for e in self.eom.equations)
@@ -194,6 +230,11 @@ class ScaledSystem:
                     f"the frequency {symbol} has an order in ε: a slow excitation or a vanishing "
                     "natural frequency has no expansion of this kind; leave it at order 0"
                 )
+            if self.alphabet.roots.get(str(symbol.name), 1) != 1:
+                raise ScalingError(
+                    f"a fractional power of the frequency {symbol} occurs: name that power as a "
+                    "parameter of its own"
+                )
             if not symbol.is_positive:
                 raise ScalingError(
                     f"the frequency {symbol} must be declared positive: Symbol('{symbol}', "
@@ -214,13 +255,9 @@ class ScaledSystem:
 
     def weak(self, order: int, resonance: Mapping[sp.Expr, sp.Expr] | None = None) -> WeakSystem:
         """The equations through ε^order with the resonance relations imposed."""
-        if isinstance(order, bool) or not isinstance(order, int) or order < 1:
-            raise ScalingError(f"the order of an expansion must be a whole number >= 1: {order!r}")
+        order = _whole(order, "the order of an expansion", 1)
         taken = frozenset(p.name for p in self.eom.parameters)
         relations, detuned = solve_relations(resonance, self.frequencies, taken)
-        for name in detuned:
-            if self.alphabet.roots.get(name, 1) != 1:
-                raise ScalingError(f"a root of the detuned frequency {name} occurs: name it")
         sigmas = [str(r.detuning.name) for r in relations]
         grading = Grading(self.alphabet.field, self.generator_orders, detuned, sigmas, order)
         taylor, terms = self.graded(grading)

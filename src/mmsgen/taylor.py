@@ -14,12 +14,11 @@ from fractions import Fraction
 from math import factorial
 
 import sympy as sp
-from flint.utils.flint_exceptions import DomainError
 
 from .alphabet import PERIODIC, Alphabet, fraction, phase_terms
 from .cyclotomic import gauss_sum
 from .errors import ScalingError
-from .field import Coefficient
+from .field import Coefficient, sign
 from .monomials import Packing
 
 __all__ = ["Polynomial", "Taylor"]
@@ -71,6 +70,10 @@ class Taylor:
         }
 
     # -- monomials -----------------------------------------------------------------------
+
+    def variable(self, node: sp.Expr) -> int:
+        """The index of a coordinate or of its derivative."""
+        return self._variables[node]
 
     def weight(self, key: int) -> Fraction:
         """Order in ε of the amplitudes in a monomial."""
@@ -193,13 +196,21 @@ class Taylor:
             return f"{node} stands outside of cos, sin and exp: coefficients must be periodic"
         return f"{node} has no Taylor expansion about the equilibrium that is known here"
 
+    def _endless(self, node: sp.Expr) -> str:
+        return f"{node} depends on time: its Fourier series does not terminate"
+
     def _generator(self, symbol: sp.Expr, exponent: Fraction) -> Coefficient:
-        name = str(symbol.name) if symbol.is_Symbol else str(symbol)
+        name = str(symbol.name) if symbol.is_Symbol else f"<{symbol}>"
         field_ = self.alphabet.field
         if name not in field_.gens:
             if symbol == self.alphabet.time:
                 raise ScalingError(self._refusal(symbol))
             raise ScalingError(f"{symbol} is not a declared parameter: add Parameter({symbol})")
+        if exponent.denominator % 2 == 0 and not symbol.is_nonnegative:
+            raise ScalingError(
+                f"{symbol ** sp.Rational(exponent)} is real for {symbol} >= 0 only: declare "
+                f"{symbol} positive or nonnegative"
+            )
         power = exponent * self.alphabet.roots.get(name, 1)
         return field_.generator(name) ** int(power)
 
@@ -223,7 +234,8 @@ class Taylor:
             )
         if any(key and not self.degree(key) for key in b):
             raise ScalingError(
-                f"{node} depends on time in a denominator or radical: not a finite Fourier series"
+                f"{node} has a time or phase in a denominator or radical: not a finite Fourier "
+                "series; name a constant factor as a parameter of its own"
             )
         root = constant if r.denominator == 1 else self._root(constant, r.denominator, node)
         head = root**r.numerator
@@ -239,41 +251,39 @@ class Taylor:
         """The positive square root of a square; anything else is refused."""
         field_ = self.alphabet.field
         refusal = ScalingError(
-            f"the radical {node} is no rational function of the parameters: name it as a "
-            "parameter of its own (reparametrise, or Parameter(..., definition=...))"
+            f"the radical {node} is no rational function of the parameters, of known sign: name it "
+            "as a parameter of its own (reparametrise, or Parameter(..., definition=...))"
         )
         if q != 2 or set(c.num) != {0} or any(e % 2 for e in c.den.values()):
             raise refusal
-        try:
-            root = field_.polynomial(c.num[0].sqrt())
-        except DomainError:
-            root = self._number_root(c, refusal)
-        for m, e in c.den.items():
-            root = root * field_.reciprocal(field_.divisors[m] ** (e // 2))
-        return root
-
-    def _number_root(self, c: Coefficient, refusal: ScalingError) -> Coefficient:
-        field_ = self.alphabet.field
-        p = c.num[0]
-        content, factors = p.factor()
+        content, factors = c.num[0].factor()
         number = Fraction(int(content.p), int(content.q))
         if number <= 0 or any(e % 2 for _, e in factors):
             raise refusal
         root = field_.one
         for factor, e in factors:
             root = root * field_.polynomial(factor ** (e // 2))
+        for m, e in c.den.items():
+            root = root * field_.reciprocal(field_.divisors[m] ** (e // 2))
+        direction = sign(root, self.alphabet.positive)
+        if direction is None:
+            raise refusal
+        return self._number_root(number, refusal).scale(direction) * root
+
+    def _number_root(self, number: Fraction, refusal: ScalingError) -> Coefficient:
+        """The square root of a positive rational number."""
+        field_ = self.alphabet.field
         radicand = number.numerator * number.denominator
         squarefree = int(sp.ntheory.factor_.core(radicand))
         outside = sp.integer_nthroot(radicand // squarefree, 2)[0]
-        if squarefree > 1:
-            n, terms = gauss_sum(squarefree)
-            if field_.roots.n % n:
-                raise refusal
-            surd = field_.sum(
-                field_.root_of_unity(Fraction(k, n)).scale(s) for k, s in terms.items()
-            )
-            root = root * surd
-        return root.scale(Fraction(int(outside), number.denominator))
+        root = field_.one.scale(Fraction(int(outside), number.denominator))
+        if squarefree == 1:
+            return root
+        n, terms = gauss_sum(squarefree)
+        if field_.roots.n % n:
+            raise refusal
+        surd = field_.sum(field_.root_of_unity(Fraction(k, n)).scale(s) for k, s in terms.items())
+        return root * surd
 
     def _phase(self, angle: sp.Expr, node: sp.Expr) -> Polynomial:
         """exp(i·angle)."""
@@ -296,6 +306,8 @@ class Taylor:
         if isinstance(node, sp.exp):
             return self._phase(node.args[0] / sp.I, node)
         if not isinstance(node, (sp.cos, sp.sin)):
+            if phase_terms(node.args[0], self.alphabet.time, self.moving_parts)[0]:
+                raise ScalingError(self._endless(node))
             return self._analytic(node)
         e = self._phase(node.args[0], node)
         conjugate = self._conjugate(e)
@@ -310,7 +322,7 @@ class Taylor:
         """f(c + u) from the derivatives of f at the constant c."""
         argument = self(node.args[0])
         if any(key and not self.degree(key) for key in argument):
-            raise ScalingError(f"{node} depends on time: its Fourier series does not terminate")
+            raise ScalingError(self._endless(node))
         at_rest = node.args[0].subs({q: 0 for q in reversed(list(self._variables))}).doit()
         x = sp.Dummy("x", real=True)
         derivatives = [node.func(x)]
@@ -319,8 +331,14 @@ class Taylor:
             while len(derivatives) <= k:
                 derivatives.append(derivatives[-1].diff(x))
             value = derivatives[k].subs(x, at_rest)
-            if value.has(sp.zoo, sp.oo, sp.nan) or (value.has(node.func) and k == 0):
-                raise ScalingError(f"{node} cannot be expanded about the equilibrium")
+            if value.has(sp.zoo, sp.oo, -sp.oo, sp.nan):
+                raise ScalingError(f"{node} is singular at the equilibrium: it cannot be expanded")
+            if value.atoms(*ANALYTIC, sp.Abs):
+                raise ScalingError(
+                    f"{node} cannot be expanded exactly: its expansion about the equilibrium holds "
+                    f"{value}, which is no rational function of the parameters; name it as a "
+                    "parameter of its own"
+                )
             return self(value).get(0, self.alphabet.field.zero).scale(Fraction(1, factorial(k)))
 
         return self._series({k: c for k, c in argument.items() if k}, coefficient, node)

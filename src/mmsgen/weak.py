@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from .errors import ResonanceError
 from .field import Coefficient
 from .grading import Detuned, Grading
-from .leading import GradedTerm, LinearForm, leading_order
+from .leading import GradedTerm, LinearForm, leading_inertias
 from .relations import Relation
 from .series import Form, HarmonicRing, Series
 from .taylor import Taylor
@@ -87,11 +87,12 @@ def weak_system(
     Raises
     ------
     ScalingError
-        As for `leading_order`.
+        As for `leading_inertias`.
     ResonanceError
         If the relations leave a frequency that is not positive.
     """
-    inertias, natural = leading_order(taylor, equations, grading.field)
+    natural = [_detuned_form(form, detuned) for form in scaled.natural_frequencies]
+    inertias = leading_inertias(taylor, equations, grading.field)
     phasors = [
         {str(p.base) if p.base == 1 else str(p.base.name): p.step} if p.moving else {}
         for p in scaled.alphabet.phasors

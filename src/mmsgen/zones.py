@@ -34,6 +34,8 @@ def unstable_zone(coefficients: Sequence[Any]) -> Any:
 
 
 def _zone(polynomial: Any) -> tuple[float, float]:
+    if not np.all(np.isfinite(polynomial)) or not np.any(polynomial):
+        return np.nan, np.nan
     roots = np.polynomial.polynomial.polyroots(np.trim_zeros(polynomial, "b"))
     scale = max(1.0, float(np.max(np.abs(roots), initial=0.0)))
     # A double root splits by the square root of the rounding error; what is left of it is no edge.
