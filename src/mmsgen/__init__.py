@@ -10,6 +10,10 @@ from __future__ import annotations
 
 from . import floquet
 from ._version import __version__
+from .certificate import Certificate
+from .certify import certify
+from .codegen import generate
+from .emission import Emission, publish
 from .equations import EquationsOfMotion
 from .errors import (
     CertificateError,
@@ -31,7 +35,9 @@ from .symbols import epsilon
 from .tables import ResonanceTable
 
 __all__ = [
+    "Certificate",
     "CertificateError",
+    "Emission",
     "EmissionError",
     "EquationsOfMotion",
     "Expansion",
@@ -48,6 +54,9 @@ __all__ = [
     "ScalingError",
     "SlowFlow",
     "__version__",
+    "certify",
     "epsilon",
     "floquet",
+    "generate",
+    "publish",
 ]

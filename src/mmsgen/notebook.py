@@ -62,6 +62,8 @@ def execute(script: Path, environment: dict[str, str], folder: Path) -> Any:
         coalesce_streams=True,
         resources={"metadata": {"path": str(folder)}},
     )
+    # Sockets in the file system: nothing of a derivation passes through a network port.
+    client.create_kernel_manager().transport = "ipc"
     try:
         client.execute(env=environment)
     except CellExecutionError as error:

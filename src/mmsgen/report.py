@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Formula",
+    "Table",
     "boundary",
     "case_title",
     "certificate_table",
@@ -250,7 +251,9 @@ def polynomial(case: Expansion) -> Formula:
     """The characteristic polynomial of the slow flow, by factors."""
     gamma = sp.Symbol("Gamma")
     lines: list[str] = []
-    for factor in sorted(case.slow_flow.linear.factors, key=lambda f: f.degree):
+    for factor in sorted(
+        case.slow_flow.linear.factors, key=lambda f: (f.degree, any(f.coefficients[:-1]))
+    ):
         power = "" if factor.multiplicity == 1 else f"^{{{factor.multiplicity}}}"
         head = r"\quad \cdot " if lines else r"P(\Gamma) = "
         if not any(factor.coefficients[:-1]):
