@@ -59,11 +59,10 @@ def execute(script: Path, environment: dict[str, str], folder: Path) -> Any:
         timeout=TIMEOUT,
         kernel_name="python3",
         record_timing=False,
+        extra_arguments=["--log-level=40"],
         coalesce_streams=True,
         resources={"metadata": {"path": str(folder)}},
     )
-    # Sockets in the file system: nothing of a derivation passes through a network port.
-    client.create_kernel_manager().transport = "ipc"
     try:
         client.execute(env=environment)
     except CellExecutionError as error:
