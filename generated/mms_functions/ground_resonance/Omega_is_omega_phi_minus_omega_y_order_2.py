@@ -1,0 +1,549 @@
+# Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
+# Made from sha256 e0a190b92bf01bbf81a76a16e9f32df81b70bd7c53843323e78e859b1be5185e
+# Operations for each point: growth_rate 73, slow_flow_matrix 91, characteristic_coefficients 105,
+# slow_flow 140
+"""ground_resonance: Omega = omega_phi - omega_y + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are written at ε = 1.
+
+It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
+omega_y**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
+mode turns without growing.
+
+NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
+omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
+
+Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    growing,
+    multiply_out,
+    no_edges,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("Omega = omega_phi - omega_y + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, Omega = omega_phi - omega_y + sigma"),
+    "r_m": ("positive", "m", "static moment of a blade over the mass of the helicopter"),
+    "r_b": ("positive", "1/m", "static moment of a blade over its inertia about the hinge"),
+    "omega_x": ("positive", "rad/s", "longitudinal frequency of the fuselage"),
+    "omega_y": ("positive", "rad/s", "lateral frequency of the fuselage"),
+    "omega_phi": ("positive", "rad/s", "lag frequency of a blade at speed"),
+    "r_a": ("positive", "1", "lag frequency per rotor speed of a blade without lag spring"),
+    "omega_b": ("positive", "rad/s", "lag frequency of a blade at rest"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+    "y": {},
+    "phi_1": {"sigma": 1},
+    "phi_2": {"sigma": 1},
+    "phi_3": {"sigma": 1},
+    "phi_4": {"sigma": 1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "A_y", "A_phi_1", "A_phi_2", "A_phi_3", "A_phi_4")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = omega_y * omega_y
+    x1 = omega_y * x0
+    x2 = x1 / omega_phi
+    x3 = r_b * r_m
+    x4 = omega_phi * omega_phi
+    x5 = x0 / x4
+    x6 = omega_x + omega_y
+    x7 = 1 / 2 * x2
+    x8 = -omega_y
+    x9 = omega_x + x8
+    x10 = -omega_phi - x8
+    x11 = 6 * omega_phi
+    x12 = sigma * sigma
+    x13 = x0 * x0
+    x14 = x9 * x9
+    x15 = x10 * x10
+    x16 = x6 * x6
+    x17 = x4 * x4
+    x18 = r_b * r_b
+    x19 = r_m * r_m
+    x20 = omega_x * omega_x
+    x21 = 2 * x20
+    x22 = x0 * x20 + x1 * x11 + x21 * x4 - omega_phi * omega_y * x21 - 6 * x0 * x4 - x13
+    x23 = x22 * x22
+    # Outputs
+    discriminant_1 = (
+        r_b * r_m * sigma * (x7 / x6 + 1 / 4 * x5 * (omega_y * x11 + x0 - 8 * x4) / x10 - x7 / x9)
+        - 3 / 4 * x12 * x3 * x5 - x12 - 1 / 64 * x13 * x18 * x19 * x23 / (x14 * x15 * x16 * x17)
+        - x2 * x3
+    )
+    return growing(discriminant_1)
+
+
+def _slow_flow_matrix(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = omega_x * omega_x
+    x1 = omega_x * x0
+    x2 = 1 / 2 * x1
+    x3 = omega_x + omega_y
+    x4 = 1 / x3
+    x5 = 2 * omega_phi
+    x6 = 1 / (x3 - x5)
+    x7 = -omega_y
+    x8 = omega_x + x7
+    x9 = 1 / x8
+    x10 = 1 / (x5 + x8)
+    x11 = x10 * x9
+    x12 = r_b * r_m
+    x13 = omega_phi + x7
+    x14 = -1 / x13
+    x15 = 1 / omega_phi
+    x16 = omega_y * omega_y
+    x17 = x15 * x16
+    x18 = 1 / 4 * omega_y * r_m - 3 / 8 * r_m * sigma
+    x19 = -x18
+    x20 = omega_phi * omega_phi
+    x21 = 1 / x20
+    x22 = 1 / 4 * r_b * x17 - 1 / 8 * r_b * sigma * x16 * x21
+    x23 = -x22
+    x24 = omega_y * x16
+    x25 = omega_phi * x20
+    x26 = (
+        1 / 4 * omega_phi * x0 + 19 / 32 * omega_phi * x16 + 31 / 32 * x25 - 33 / 32 * omega_y * x20
+        - 1 / 16 * x24
+    )
+    x27 = 1 / 16 * x1 * x15
+    x28 = x10 * x27 + 1 / 32 * x14 * x20 + x27 * x4 + x27 * x6 + x27 * x9
+    x29 = x12 * (x21 * x26 - x28) - sigma
+    x30 = 1 / 8 * x1 * x11 + x13 + 3 / 32 * x17 - 1 / 8 * x1 * x4 * x6 - 1 / 32 * x14 * x16
+    x31 = -x12 * x30
+    x32 = x12 * (x28 - x21 * x26)
+    x33 = x12 * x30
+    # Outputs
+    out[..., 0, 0].imag = x12 * (x11 * x2 + x2 * x4 * x6)
+    out[..., 1, 1].imag = 1 / 8 * x12 * x14 * x17 * (3 * omega_y - x5)
+    out[..., 1, 2].imag = x19
+    out[..., 1, 3].real = x19
+    out[..., 1, 4].imag = x18
+    out[..., 1, 5].real = x18
+    out[..., 2, 1].imag = x23
+    out[..., 2, 2].imag = x29
+    out[..., 2, 3].real = x31
+    out[..., 2, 4].imag = x32
+    out[..., 2, 5].real = x33
+    out[..., 3, 1].real = x22
+    out[..., 3, 2].real = x33
+    out[..., 3, 3].imag = x29
+    out[..., 3, 4].real = x31
+    out[..., 3, 5].imag = x32
+    out[..., 4, 1].imag = x22
+    out[..., 4, 2].imag = x32
+    out[..., 4, 3].real = x33
+    out[..., 4, 4].imag = x29
+    out[..., 4, 5].real = x31
+    out[..., 5, 1].real = x23
+    out[..., 5, 2].real = x31
+    out[..., 5, 3].imag = x32
+    out[..., 5, 4].real = x33
+    out[..., 5, 5].imag = x29
+
+
+def _characteristic_coefficients(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = omega_x + omega_y
+    x1 = 1 / x0
+    x2 = 2 * omega_phi
+    x3 = 1 / (x0 - x2)
+    x4 = omega_x * omega_x
+    x5 = omega_x * x4
+    x6 = 1 / 2 * x5
+    x7 = -omega_y
+    x8 = omega_x + x7
+    x9 = 1 / x8
+    x10 = 1 / (x2 + x8)
+    x11 = r_b * r_m
+    x12 = 1 / 4 / omega_phi
+    x13 = omega_y * omega_y
+    x14 = omega_y * x13
+    x15 = x12 * x14
+    x16 = omega_phi * omega_y
+    x17 = 1 / (-omega_phi - x7)
+    x18 = 1 / 8 * x17
+    x19 = omega_phi * omega_phi
+    x20 = 1 / x19
+    x21 = x13 * x20
+    x22 = x18 * x21
+    x23 = omega_phi * x4
+    x24 = omega_phi * x19
+    x25 = sigma * sigma
+    x26 = x13 * x13
+    x27 = r_b * r_b
+    x28 = r_m * r_m
+    x29 = x12 * x5
+    # Outputs
+    c1_0 = 1j * x11 * (-x1 * x3 * x6 - x10 * x6 * x9)
+    c2_1 = 1j * (sigma + x11 * (x15 * x9 + x22 * (x13 + 6 * x19 - 8 * x16) - x1 * x15))
+    c2_0 = (
+        1 / 64 * x1 * x17 * x26 * x27 * x28 * x9 * (3 * omega_y - x2) * (8 * omega_phi * x13
+        + omega_y * x4 - x14 - 4 * x23) / x24 + x11 * x15 + 3 / 16 * x11 * x21 * x25
+        - sigma * x11 * x22 * (x13 - x16 - x19)
+    )
+    c3_0 = (
+        1j * (sigma + x11 * (x10 * x29 + x18 * x19 + x20 * (33 / 8 * omega_y * x19 + 1 / 8 * x14
+        - 11 / 8 * omega_phi * x13 - 1 / 2 * x23 - 31 / 8 * x24) + x29 * x3))
+    )
+    c4_0 = 1j * sigma
+    multiply_out(out, ((c1_0,), 1), ((c2_1, c2_0), 1), ((c3_0,), 1), ((c4_0,), 2))
+
+
+def _slow_flow(
+    out, A_x, A_y, A_phi_1, A_phi_2, A_phi_3, A_phi_4, sigma, r_m, r_b, omega_x, omega_y, omega_phi,
+):
+    # Intermediates
+    x0 = 2 * omega_phi
+    x1 = omega_x + omega_y
+    x2 = 1 / (x1 - x0)
+    x3 = omega_x * omega_x
+    x4 = omega_x * x3
+    x5 = x4 / x1
+    x6 = x2 * x5
+    x7 = r_b * r_m
+    x8 = 1j * x7
+    x9 = 1 / 2 * x8
+    x10 = -omega_y
+    x11 = omega_x + x10
+    x12 = 1 / (x0 + x11)
+    x13 = x4 / x11
+    x14 = x12 * x13
+    x15 = 1 / 8 * r_m * (2 * omega_y - 3 * sigma)
+    x16 = 1j * x15
+    x17 = -omega_phi - x10
+    x18 = 1 / x17
+    x19 = 1 / omega_phi
+    x20 = omega_y * omega_y
+    x21 = x20 * x7
+    x22 = x19 * x21
+    x23 = 1 / 8 * A_y
+    x24 = 1j * sigma
+    x25 = omega_phi * omega_phi
+    x26 = 1 / x25
+    x27 = r_b * x20 * x23 * x26 * (x0 - sigma)
+    x28 = 1j * x27
+    x29 = 1 / 32 * x18
+    x30 = 1 / 8 * x7
+    x31 = x17 * x7 + x21 * x29 + x30 * x6 - x14 * x30 - 3 / 32 * x22
+    x32 = -x31
+    x33 = 1 / 16 * x19 * x8
+    x34 = x33 * x4
+    x35 = omega_phi * x25
+    x36 = omega_y * x20
+    x37 = (
+        x12 * x34 + x13 * x33 + x2 * x34 + x25 * x29 * x8 + 1 / 32 * x26 * x8 * (33 * omega_y * x25
+        + 2 * x36 - 19 * omega_phi * x20 - 8 * omega_phi * x3 - 31 * x35) + x33 * x5
+    )
+    x38 = -x37
+    # Outputs
+    out[..., 0] = A_x * (x14 * x9 + x6 * x9)
+    out[..., 1] = (
+        A_phi_3 * x16 + A_phi_4 * x15 + 1j * x18 * x22 * x23 * (3 * omega_y - x0) - A_phi_1 * x16
+        - A_phi_2 * x15
+    )
+    out[..., 2] = (
+        A_phi_1 * x38 + A_phi_2 * x31 + A_phi_3 * x37 + A_phi_4 * x32 - A_phi_1 * x24 - x28
+    )
+    out[..., 3] = (
+        A_phi_1 * x32 + A_phi_2 * x38 + A_phi_3 * x31 + A_phi_4 * x37 + x27 - A_phi_2 * x24
+    )
+    out[..., 4] = (
+        A_phi_1 * x37 + A_phi_2 * x32 + A_phi_3 * x38 + A_phi_4 * x31 + x28 - A_phi_3 * x24
+    )
+    out[..., 5] = (
+        A_phi_1 * x31 + A_phi_2 * x37 + A_phi_3 * x32 + A_phi_4 * x38 - A_phi_4 * x24 - x27
+    )
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
+    omega_phi: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    Amplitudes grow like exp(Γ t). Where the discriminant of the quadratic in Γ is positive, the
+    rate is half its root; elsewhere both modes are neutral and the rate is exactly 0.0.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    This case cannot be unstable for any detuning: NaN everywhere.
+
+    Parameters
+    ----------
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, omega_phi=omega_phi,
+    )
+    return evaluate_pair(no_edges, arguments)
+
+
+def critical_speeds(
+    *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, r_a: ArrayLike,
+    omega_b: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in the detuned frequency: there is none.
+
+    This case cannot be unstable for any detuning: NaN everywhere.
+
+    Parameters
+    ----------
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_b : array_like
+        Lag frequency of a blade at rest, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        NaN, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, r_a=r_a, omega_b=omega_b,
+    )
+    return evaluate_pair(no_edges, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6, 6), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (6, 6))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 7), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (7,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))

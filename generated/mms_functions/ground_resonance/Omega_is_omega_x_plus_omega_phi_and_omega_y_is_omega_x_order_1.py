@@ -1,0 +1,466 @@
+# Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
+# Made from sha256 e7519aecbdc1548c4c86a0c17da1194bea0ea5371f304bd31c55179637290168
+# Operations for each point: growth_rate 12, boundaries 50, detuning 9, slow_flow_matrix 7,
+# characteristic_coefficients 15, slow_flow 46
+"""ground_resonance: Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2, order 1.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 1 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are written at ε = 1.
+
+Stability depends: the sign of the discriminant of Gamma**3 + I*Gamma**2*(-sigma_1 - sigma_2) +
+Gamma*(-omega_phi*sigma_1*sigma_2 - omega_x**3*r_b*r_m/2)/omega_phi +
+I*omega_x**3*r_b*r_m*sigma_2/(4*omega_phi), of degree 4, decides.
+
+Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    conservative_growth,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    implicit_edges,
+    multiply_out,
+    zone,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = (
+    "Omega = omega_x + omega_phi + sigma_1", "omega_y = omega_x + sigma_2",
+)
+
+#: the highest power of ε
+ORDER = 1
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma_1": ("real", "rad/s", "detuning, Omega = omega_phi + omega_x + sigma_1"),
+    "sigma_2": ("real", "rad/s", "detuning, omega_y = omega_x + sigma_2"),
+    "r_m": ("positive", "m", "static moment of a blade over the mass of the helicopter"),
+    "r_b": ("positive", "1/m", "static moment of a blade over its inertia about the hinge"),
+    "omega_x": ("positive", "rad/s", "longitudinal frequency of the fuselage"),
+    "omega_phi": ("positive", "rad/s", "lag frequency of a blade at speed"),
+    "omega_y": ("positive", "rad/s", "lateral frequency of the fuselage"),
+    "r_a": ("positive", "1", "lag frequency per rotor speed of a blade without lag spring"),
+    "omega_b": ("positive", "rad/s", "lag frequency of a blade at rest"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+    "y": {},
+    "phi_1": {"sigma_1": 1},
+    "phi_2": {"sigma_1": 1},
+    "phi_3": {"sigma_1": 1},
+    "phi_4": {"sigma_1": 1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = (
+    "A_x", "A_y", "conj(A_phi_1)", "conj(A_phi_2)", "conj(A_phi_3)", "conj(A_phi_4)",
+)
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = omega_x * omega_x
+    x1 = omega_x * x0
+    x2 = r_b * r_m * x1 / omega_phi
+    # Outputs
+    coefficient_1 = -1 / 4 * sigma_2 * x2
+    coefficient_2 = sigma_1 * sigma_2 + 1 / 2 * x2
+    coefficient_3 = -sigma_1 - sigma_2
+    return conservative_growth(coefficient_1, coefficient_2, coefficient_3)
+
+
+def _boundaries(sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = 1 / omega_phi
+    x1 = omega_x * omega_x
+    x2 = omega_x * x1
+    x3 = r_b * r_m * x0 * x2
+    x4 = omega_phi * omega_phi
+    x5 = 1 / x4
+    x6 = x2 * x2
+    x7 = r_b * r_b
+    x8 = r_m * r_m
+    x9 = x5 * x6 * x7 * x8
+    x10 = sigma_2 * sigma_2
+    x11 = x10 * x10
+    x12 = omega_phi * x4
+    x13 = x1 * x1
+    x14 = x1 * x2
+    x15 = x13 * x14
+    x16 = r_b * x7
+    x17 = r_m * x8
+    x18 = sigma_2 * x10
+    # Outputs
+    p0 = x11 * x3 + 1 / 2 * x15 * x16 * x17 / x12 - 13 / 16 * x10 * x9
+    p1 = 1 / 4 * sigma_2 * x5 * x6 * x7 * x8 - 5 / 2 * x18 * x3
+    p2 = 5 / 2 * r_b * r_m * x0 * x10 * x2 - x11 - 1 / 4 * x9
+    p3 = 2 * x18
+    p4 = -x10
+    return zone(p0, p1, p2, p3, p4)
+
+
+def _detuning(Omega, r_m, r_b, omega_x, omega_y, r_a, omega_b):
+    # Intermediates
+    x0 = omega_b * omega_b
+    x1 = Omega * Omega
+    x2 = r_a * r_a
+    x3 = np.sqrt(x0 + x1 * x2)
+    # Outputs
+    sigma_1_at_speed = Omega - omega_x - x3
+    sigma_2_at_speed = omega_y - omega_x
+    omega_phi_at_speed = x3
+    return sigma_1_at_speed, sigma_2_at_speed, r_m, r_b, omega_x, omega_phi_at_speed
+
+
+def _slow_flow_matrix(out, sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = 1 / 4 * omega_x * r_m
+    x1 = -x0
+    x2 = omega_x * omega_x
+    x3 = 1 / 4 * r_b * x2 / omega_phi
+    x4 = -x3
+    # Outputs
+    out[..., 0, 2].real = x0
+    out[..., 0, 3].imag = x0
+    out[..., 0, 4].real = x1
+    out[..., 0, 5].imag = x1
+    out[..., 1, 1].imag = sigma_2
+    out[..., 1, 2].imag = x1
+    out[..., 1, 3].real = x0
+    out[..., 1, 4].imag = x0
+    out[..., 1, 5].real = x1
+    out[..., 2, 0].real = x3
+    out[..., 2, 1].imag = x3
+    out[..., 2, 2].imag = sigma_1
+    out[..., 3, 0].imag = x4
+    out[..., 3, 1].real = x3
+    out[..., 3, 3].imag = sigma_1
+    out[..., 4, 0].real = x4
+    out[..., 4, 1].imag = x4
+    out[..., 4, 4].imag = sigma_1
+    out[..., 5, 0].imag = x3
+    out[..., 5, 1].real = x4
+    out[..., 5, 5].imag = sigma_1
+
+
+def _characteristic_coefficients(out, sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = omega_x * omega_x
+    x1 = omega_x * x0
+    x2 = r_b * r_m * x1 / omega_phi
+    # Outputs
+    c1_2 = 1j * (-sigma_1 - sigma_2)
+    c1_1 = -sigma_1 * sigma_2 - 1 / 2 * x2
+    c1_0 = 1 / 4 * 1j * sigma_2 * x2
+    c2_0 = -1j * sigma_1
+    multiply_out(out, ((c1_2, c1_1, c1_0), 1), ((c2_0,), 3))
+
+
+def _slow_flow(
+    out, A_x, A_y, A_phi_1, A_phi_2, A_phi_3, A_phi_4, sigma_1, sigma_2, r_m, r_b, omega_x,
+    omega_phi,
+):
+    # Intermediates
+    x0 = 1 / 4 * omega_x * r_m
+    x1 = x0 * np.conj(A_phi_1)
+    x2 = x0 * np.conj(A_phi_3)
+    x3 = x0 * np.conj(A_phi_2)
+    x4 = x0 * np.conj(A_phi_4)
+    x5 = 1j * sigma_1
+    x6 = omega_x * omega_x
+    x7 = 1 / 4 * r_b * x6 / omega_phi
+    x8 = x7 * np.conj(A_x)
+    x9 = x7 * np.conj(A_y)
+    x10 = 1j * x9
+    x11 = 1j * x8 + x9
+    # Outputs
+    out[..., 0] = x1 + 1j * x3 - x2 - 1j * x4
+    out[..., 1] = 1j * A_y * sigma_2 + 1j * x2 + x3 - 1j * x1 - x4
+    out[..., 2] = x8 - A_phi_1 * x5 - x10
+    out[..., 3] = x11 - A_phi_2 * x5
+    out[..., 4] = x10 - A_phi_3 * x5 - x8
+    out[..., 5] = -A_phi_4 * x5 - x11
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    The polynomial of the undamped modes is real in Λ, Γ = iΛ; the eigenvalues of its companion
+    matrix are exactly real where the modes are neutral, so that the rate is exactly 0.0 there.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma_1.
+
+    The interval nearest to zero in which the polynomial with the coefficients p0, p1, … (lowest
+    power first) is positive; infinite where the interval has no end.
+
+    Parameters
+    ----------
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_phi=omega_phi,
+    )
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(
+    *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, r_a: ArrayLike,
+    omega_b: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in Omega.
+
+    Where Omega = omega_x + omega_phi + sigma_1 lies on an edge of `boundaries`. With omega_phi =
+    sqrt(Omega**2*r_a**2 + omega_b**2) this is an equation for Omega, solved to full double
+    precision. Where it has several roots: first Omega without detuning is found, the smallest
+    positive one (two that are closer than ten per cent may be passed over), then the nearest to
+    that on the side of the edge.
+
+    Parameters
+    ----------
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_b : array_like
+        Lag frequency of a blade at rest, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, r_a=r_a, omega_b=omega_b,
+    )
+    return implicit_edges(_detuning, _boundaries, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6, 6), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (6, 6))
+
+
+def characteristic_coefficients(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 7), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (7,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike,
+    r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES.
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))

@@ -1,0 +1,884 @@
+# Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
+# Made from sha256 1ec5fd84355b599e8e9bfd22684b6de5fbddd48651de0064472a9bdf00c533c3
+# Operations for each point: growth_rate 149, boundaries 1011, detuning 9, slow_flow_matrix 69,
+# characteristic_coefficients 161, slow_flow 162
+"""ground_resonance: Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are written at ε = 1.
+
+Stability depends: the sign of the discriminant of Gamma**3 + I*Gamma**2*(-sigma_1 - sigma_2) +
+Gamma*(-omega_phi*sigma_1*sigma_2 - omega_x**3*r_b*r_m/2)/omega_phi +
+I*omega_x**3*r_b*r_m*sigma_2/(4*omega_phi), of degree 6, decides.
+
+Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    conservative_growth,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    implicit_edges,
+    multiply_out,
+    zone,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = (
+    "Omega = omega_x + omega_phi + sigma_1", "omega_y = omega_x + sigma_2",
+)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma_1": ("real", "rad/s", "detuning, Omega = omega_phi + omega_x + sigma_1"),
+    "sigma_2": ("real", "rad/s", "detuning, omega_y = omega_x + sigma_2"),
+    "r_m": ("positive", "m", "static moment of a blade over the mass of the helicopter"),
+    "r_b": ("positive", "1/m", "static moment of a blade over its inertia about the hinge"),
+    "omega_x": ("positive", "rad/s", "longitudinal frequency of the fuselage"),
+    "omega_phi": ("positive", "rad/s", "lag frequency of a blade at speed"),
+    "omega_y": ("positive", "rad/s", "lateral frequency of the fuselage"),
+    "r_a": ("positive", "1", "lag frequency per rotor speed of a blade without lag spring"),
+    "omega_b": ("positive", "rad/s", "lag frequency of a blade at rest"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+    "y": {},
+    "phi_1": {"sigma_1": 1},
+    "phi_2": {"sigma_1": 1},
+    "phi_3": {"sigma_1": 1},
+    "phi_4": {"sigma_1": 1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = (
+    "A_x", "A_y", "conj(A_phi_1)", "conj(A_phi_2)", "conj(A_phi_3)", "conj(A_phi_4)",
+)
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = 1 / omega_phi
+    x1 = r_b * r_m
+    x2 = omega_x * omega_x
+    x3 = omega_x * x2
+    x4 = x0 * x1 * x3
+    x5 = omega_phi * omega_phi
+    x6 = 1 / x5
+    x7 = 1 / (omega_phi + omega_x)
+    x8 = 1 / 8 * x7
+    x9 = r_b * r_b
+    x10 = r_m * r_m
+    x11 = x10 * x9
+    x12 = 4 * omega_phi + omega_x
+    x13 = omega_phi * x5
+    x14 = x7 / x13
+    x15 = x12 * x14
+    x16 = 1 / 16 * x6
+    x17 = sigma_1 * sigma_2
+    x18 = x17 * (3 * omega_phi + omega_x)
+    x19 = x11 * x3
+    x20 = omega_phi * omega_x
+    x21 = x2 + x20 - x5
+    x22 = 3 * x2
+    x23 = x2 * x2
+    x24 = x11 * x14 * x23
+    x25 = sigma_1 * sigma_1
+    x26 = x2 * x3
+    x27 = sigma_2 * sigma_2
+    x28 = x3 * x3
+    x29 = r_b * x9
+    x30 = r_m * x10
+    x31 = x1 * x2
+    x32 = omega_x * x1
+    x33 = x31 * x6
+    # Outputs
+    coefficient_1 = (
+        1 / 8 * r_b * r_m * sigma_1 * sigma_2 * x2 * x21 * x6 * x7
+        + 3 / 16 * r_b * r_m * sigma_2 * x2 * x25 * x6 + 1 / 16 * sigma_1 * x10 * x26 * x6 * x7 * x9
+        + 3 / 32 * x10 * x23 * x25 * x6 * x7 * x9
+        - 1 / 32 * sigma_2 * x24 * (15 * x20 + x22 + 11 * x5) - 1 / 4 * sigma_2 * x4
+        - x0 * x11 * x26 * x8 - 1 / 128 * x15 * x19 * x27 * (2 * omega_phi + 3 * omega_x)
+        - 3 / 64 * x15 * x28 * x29 * x30 - x16 * x18 * x19 * x7
+    )
+    coefficient_2 = (
+        x17 + 1 / 4 * x18 * x32 * x6 + 1 / 16 * x24 * (14 * x20 + x22 + 5 * x5) + 1 / 2 * x4
+        - 1 / 4 * sigma_1 * x21 * x33 * x7 - sigma_2 * x33 * x8 * (x2 + 9 * x20 + 7 * x5)
+        - x12 * x16 * x27 * x32 - 3 / 8 * x25 * x31 * x6
+    )
+    coefficient_3 = 1 / 4 * r_b * r_m * x2 * x6 * x7 * (x2 + 8 * x20 + 6 * x5) - sigma_1 - sigma_2
+    return conservative_growth(coefficient_1, coefficient_2, coefficient_3)
+
+
+def _boundaries(sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = 1 / omega_phi
+    x1 = omega_phi * omega_phi
+    x2 = omega_phi * x1
+    x3 = 1 / x2
+    x4 = r_b * r_b
+    x5 = r_m * r_m
+    x6 = x4 * x5
+    x7 = omega_x * omega_x
+    x8 = omega_x * x7
+    x9 = x8 * x8
+    x10 = x6 * x9
+    x11 = 1 / x1
+    x12 = sigma_2 * sigma_2
+    x13 = x11 * x12
+    x14 = 4 * omega_phi
+    x15 = omega_x + x14
+    x16 = x2 * x2
+    x17 = 1 / x16
+    x18 = r_b * x4
+    x19 = r_m * x5
+    x20 = x18 * x19
+    x21 = x17 * x20
+    x22 = x21 * x8
+    x23 = x1 * x1
+    x24 = 1 / x23
+    x25 = x24 * x6
+    x26 = x25 * x7
+    x27 = 1 / 256 * x26
+    x28 = omega_phi + omega_x
+    x29 = 1 / x28
+    x30 = omega_phi * omega_x
+    x31 = 3 * omega_x
+    x32 = omega_phi * x31
+    x33 = -x7
+    x34 = x7 * x8
+    x35 = x3 * x34 * x6
+    x36 = x29 * x35
+    x37 = 3 * x1
+    x38 = x32 + x37 + x7
+    x39 = sigma_2 * x12
+    x40 = x12 * x39
+    x41 = x15 * x40
+    x42 = x28 * x28
+    x43 = 1 / x42
+    x44 = x14 + x31
+    x45 = x44 * x44
+    x46 = 1 / 4096 * x45
+    x47 = 12 * x1
+    x48 = x15 * x15
+    x49 = x40 * x48
+    x50 = x21 * x29
+    x51 = x7 * x7
+    x52 = 1 / 1024 * x50 * x51
+    x53 = 1 / 64 * x43
+    x54 = -x51
+    x55 = omega_phi * x8
+    x56 = omega_x * x2
+    x57 = x1 * x7
+    x58 = x4 * x4
+    x59 = x5 * x5
+    x60 = x58 * x59
+    x61 = x60 * (-159 * x23 - x54 - 20 * x55 - 276 * x56 - 146 * x57)
+    x62 = 28 * x55
+    x63 = 181 * x57 + x62
+    x64 = x25 * x51
+    x65 = x1 * x2
+    x66 = 1 / x65
+    x67 = 27 * x55
+    x68 = 1 / 256 * x43
+    x69 = x39 * x68
+    x70 = 5 * x51
+    x71 = -2 * x51
+    x72 = x21 * x34
+    x73 = x12 * x12
+    x74 = x15 * x73
+    x75 = 4 * x51
+    x76 = x23 * x23
+    x77 = 1 / x76
+    x78 = x43 * x60 * x9
+    x79 = x77 * x78
+    x80 = -x9
+    x81 = omega_phi * x34
+    x82 = omega_x * x65
+    x83 = x1 * x51
+    x84 = x2 * x8
+    x85 = x23 * x7
+    x86 = x34 * x51
+    x87 = x2 * x23
+    x88 = x86 / x87
+    x89 = x28 * x42
+    x90 = 1 / x89
+    x91 = x60 * x90
+    x92 = x12 * x77
+    x93 = x18 * x4
+    x94 = x19 * x5
+    x95 = x93 * x94
+    x96 = x42 * x42
+    x97 = 1 / x96
+    x98 = x86 * x97
+    x99 = 1 / 256 * x97
+    x100 = 2 * omega_phi
+    x101 = -x100 * x8 - 39 * x23 - x54 - 66 * x56 - 32 * x57
+    x102 = 5 * omega_x
+    x103 = omega_phi * x102
+    x104 = 5 * x1 + x103 + x7
+    x105 = x104 * x44 * x95
+    x106 = x101 * x105
+    x107 = 2 * x9
+    x108 = x51 * x8
+    x109 = x108 * x77
+    x110 = x109 * x91
+    x111 = omega_x * x87
+    x112 = 72 * x1
+    x113 = x2 * x34
+    x114 = x23 * x51
+    x115 = x65 * x8
+    x116 = x16 * x7
+    x117 = x51 * x51
+    x118 = x117 * x77
+    x119 = x118 * x60
+    x120 = 1 / 1024 * x12
+    x121 = omega_x * x23
+    x122 = x2 * x7
+    x123 = x23 * x65
+    x124 = 1 / x123
+    x125 = x34 * x34
+    x126 = x105 * x124 * x125 * x97
+    x127 = x39 * x39
+    x128 = x15 * x48
+    x129 = x34 * x9
+    x130 = x104 * x104
+    x131 = x65 * x65
+    x132 = x9 * x9
+    x133 = x18 * x18
+    x134 = x19 * x19
+    x135 = x39 * x8
+    x136 = r_b * r_m
+    x137 = 1 / 4 * x11
+    x138 = x10 * x137
+    x139 = omega_x * x11 * x136
+    x140 = 3 * omega_phi
+    x141 = omega_x + x140
+    x142 = 9 * omega_x
+    x143 = 1 / 128 * x26
+    x144 = x29 * (omega_x - omega_phi) * (x102 + x140)
+    x145 = 9 * x1
+    x146 = x29 * x7
+    x147 = omega_phi * x7
+    x148 = omega_x * x1
+    x149 = x73 * x8
+    x150 = x25 * x29
+    x151 = -4 * x51
+    x152 = x43 * x64
+    x153 = 1 / 32 * x152
+    x154 = omega_phi * x51
+    x155 = x1 * x8
+    x156 = 13 * omega_phi
+    x157 = 201 * x16
+    x158 = x91 * (x157 + 515 * x82 + 361 * x85 + x9 - x156 * x34 - 79 * x83 - 14 * x84)
+    x159 = x21 * x9
+    x160 = x159 * x90
+    x161 = sigma_2 * x141
+    x162 = omega_phi * x9
+    x163 = omega_x * x16
+    x164 = x1 * x34
+    x165 = x2 * x51
+    x166 = x23 * x8
+    x167 = x65 * x7
+    x168 = x119 * x99
+    x169 = 7 * x1
+    x170 = 60 * x30
+    x171 = x21 * (x112 + x170 + 11 * x7)
+    x172 = -x151 - 32 * x23 - 75 * x56 - 73 * x57 - x67
+    x173 = 12 * omega_phi
+    x174 = x29 * (x1 + x30 + x7)
+    x175 = x13 * x136
+    x176 = x12 * x51
+    x177 = x43 * x61
+    # Outputs
+    p0 = (
+        r_b * r_m * x0 * x73 * x8
+        + 1 / 16 * sigma_2 * x117 * x18 * x19 * x24 * x29 * (33 * x1 + 34 * x30 + 5 * x7) + 1 / 64
+        * x108 * x12 * x18 * x19 * x43 * x66 * (103 * x23 + 156 * x56 + 87 * x57 + x62 + x70)
+        + 1 / 2 * x18 * x19 * x3 * x86 - 1 / 1024 * sigma_2 * x126 * (7 * omega_phi * x51 + x34
+        - 167 * x121 - 87 * x122 - x37 * x8 - 93 * x65) - 1 / 128 * sigma_2 * x88 * x91 * (-753
+        * x16 - x80 - 7 * x81 - 2095 * x82 - 193 * x83 - 1010 * x84 - 2171 * x85)
+        - 13 / 16 * x10 * x13 - x106 * x129 * x77 * x99 - 1 / 2048 * x110 * x15 * x39 * (x107 + 138
+        * x16 + 47 * x81 + 545 * x82 + 278 * x83 + 699 * x84 + 874 * x85) - x119 * x120 * x97
+        * (x117 - 5808 * x111 - x112 * x9 - 640 * x113 - 2901 * x114 - 6992 * x115 - 8980 * x116
+        - 1487 * x76) - x125 * x17 * x53 * x61 - 1 / 1024 * x127 * x128 * x22 - x127 * x27 * x48
+        - x130 * x132 * x133 * x134 * x43 * x46 / x131
+        - x15 * x46 * x92 * x95 * x98 * (57 * x23 + 35 * x55 + 123 * x56 + 98 * x57 + x70)
+        - x20 * x66 * x69 * x9 * (10 * x51 + x67 - 300 * x23 - 430 * x56 - 129 * x57)
+        - 1 / 64 * x25 * x29 * x38 * x41 * x8 - 1 / 16 * x36 * x39 * (-13 * x1 - x32 - x33) - 1
+        / 512 * x43 * x72 * x74 * (-29 * omega_phi * x8 - 122 * x23 - 279 * x56 - 183 * x57 - x71)
+        - 1 / 16384 * x48 * x73 * x79 * (228 * x23 + 372 * x56 + x63 + x75)
+        - x49 * x52 * (11 * x30 + x47 + 4 * x7)
+        - x53 * x64 * x73 * (-127 * x23 - x54 - 280 * x56 - x63)
+    )
+    p1 = (
+        sigma_2 * x138 + sigma_2 * x168 * (15486 * x111 + 932 * x113 + 6309 * x114 + 17198 * x115
+        + 23230 * x116 + x117 + 4075 * x76 - x1 * x107 - x108 * x14) + x110 * x120 * (2 * x108 + 133
+        * x162 + 28274 * x163 + 1490 * x164 + 7713 * x165 + 22090 * x166 + 34957 * x167 + 9084
+        * x87) + 1 / 8 * x12 * x36 * (2 * x7 - 45 * x1 - 35 * x30)
+        + 1 / 512 * x126 * (229 * x121 + 105 * x122 + x145 * x8 + x154 + x34 + 141 * x65)
+        + 1 / 8 * x139 * x41
+        + 1 / 1024 * x141 * x15 * x39 * x79 * (6 * x23 - x156 * x8 - 21 * x56 - 40 * x57 - x71)
+        + 3 / 256 * x141 * x22 * x49 + x143 * x41 * (32 * omega_phi + x142)
+        + x153 * x39 * (-180 * x23 - 65 * x55 - 459 * x56 - 344 * x57 - x71) + 1 / 64 * x158 * x88
+        + x52 * x74 * (283 * x147 + 994 * x148 + 888 * x2 + 22 * x8)
+        + x69 * x72 * (9 * x34 - 1763 * x121 - 1916 * x122 - 47 * x154 - 695 * x155 - 448 * x65) - 1
+        / 16 * sigma_2 * x108 * x20 * x43 * x66 * (9 * omega_phi * x8 - x151 - 86 * x23 - 171 * x56
+        - 79 * x57) - 5 / 2 * x0 * x135 * x136 - 1 / 512 * x106 * x124 * x161 * x98
+        - 1 / 8 * x117 * x144 * x20 * x24 - 1 / 128 * x12 * x160 * (2 * x9 - 288 * x16 - 28 * x81
+        - 656 * x82 - 195 * x83 - 446 * x84 - 651 * x85)
+        - x136 * x137 * x146 * x73 * (-x145 - 7 * x30 - x33)
+        - 1 / 64 * x149 * x150 * (x8 - 66 * x147 - 355 * x148 - 336 * x2)
+    )
+    p2 = (
+        5 / 2 * r_b * r_m * x0 * x12 * x8
+        + 3 / 4 * r_b * r_m * x11 * x29 * x39 * x7 * (-x103 - x169 - x33) + 1 / 512 * sigma_2 * x108
+        * x58 * x59 * x77 * x90 * (7 * x108 + 4725 * x163 + 107 * x167 + 2412 * x87 - 61 * x162
+        - 1051 * x164 - 4034 * x165 - 5237 * x166) + 1 / 64 * sigma_2 * x17 * x18 * x19 * x9 * x90
+        * (3 * x9 - x157 - 67 * x81 - 741 * x82 - 592 * x83 - 1349 * x84 - 1370 * x85)
+        + 3 / 1024 * x101 * x104 * x124 * x125 * x44 * x93 * x94 * x97
+        + 1 / 16 * x108 * x172 * x18 * x19 * x43 * x66 + 1 / 1024 * x17 * x18 * x19 * x29 * x39
+        * x51 * (22 * x51 - 9216 * x23 - 653 * x55 - 13896 * x56 - 5822 * x57)
+        + 1 / 64 * x24 * x29 * x39 * x4 * x5 * x8 * (29 * x8 - 152 * x147 - 1059 * x148 - 948 * x2)
+        - 3 / 8 * sigma_2 * x36 * x38
+        - x12 * x153 * (182 * x23 + 175 * x56 + x75 - 85 * x55 - 92 * x57) - x12 * x68 * x72 * (1849
+        * x121 + 673 * x122 + 137 * x154 + 44 * x155 + 43 * x34 + 1100 * x65) - x138
+        - 7 / 4 * x139 * x73 * (omega_x + x100) - 3 / 512 * x149 * x15 * x171 - x168 * (118 * x1
+        * x9 + 4380 * x111 + 1638 * x113 + 5823 * x114 + 9774 * x115 + 8878 * x116 + x117 + 961
+        * x76 - x108 * x173) - x27 * x73 * (1120 * x1 + 928 * x30 + 163 * x7) - x73 - 1 / 2048 * x78
+        * x92 * (14 * x9 - 11448 * x16 - 127 * x81 - 27432 * x82 - 2332 * x83 - 11199 * x84 - 25266
+        * x85)
+    )
+    p3 = (
+        1 / 8 * sigma_2 * x152 * (-x142 * x2 - x169 * x7 - 2 * x23 - x54) + sigma_2 * x53 * x72
+        * (20 * x34 - 772 * x121 - 1101 * x122 - x140 * x51 - 545 * x155 - 192 * x65)
+        + 3 / 256 * x109 * x161 * x177 + 1 / 64 * x135 * x141 * x21 * (36 * x1 + x170 + 13 * x7)
+        + 1 / 2 * x139 * x39 * (8 * omega_x + x156)
+        + x143 * x39 * (768 * x1 + 1036 * x30 + 249 * x7) + 1 / 4 * x174 * x35 + 2 * x39
+        - 3 / 256 * x118 * x158
+        - 1 / 32 * x12 * x150 * x8 * (19 * x8 - 127 * x147 - 398 * x148 - 228 * x2)
+        - 1 / 2 * x146 * x175 * (-10 * x30 - x33 - x47)
+        - 1 / 32 * x160 * (-27 * x16 - x80 - 37 * x81 - 57 * x82 - 86 * x83 - 75 * x84 - 58 * x85)
+        - 1 / 512 * x176 * x50 * (571 * omega_phi * x8 + 152 * x51 - 432 * x23 - 1692 * x56 - 408
+        * x57)
+    )
+    p4 = (
+        3 / 256 * sigma_2 * x17 * x18 * x19 * x29 * x34 * (206 * x147 + 27 * x148 + 55 * x8
+        - 72 * x2)
+        + 1 / 32 * sigma_2 * x24 * x29 * x4 * x5 * x8 * (43 * x147 + 43 * x148 + 12 * x2 + 13 * x8)
+        - 1 / 8 * omega_x * x175 * (19 * omega_x + x173) - 9 / 1024 * x118 * x177
+        - x12 * x27 * (144 * x1 + 936 * x30 + 409 * x7) - x12
+        - 1 / 16 * x152 * (x23 - x14 * x8 - x145 * x7 - x54 - 4 * x56) - 3 / 64 * x159 * x172 * x43
+        - 9 / 256 * x171 * x176
+    )
+    p5 = (
+        27 / 64 * sigma_2 * x141 * x17 * x18 * x19 * x34
+        + 3 / 64 * sigma_2 * x24 * x4 * x5 * x8 * (7 * omega_x + x173) - 9 / 128 * x144 * x159
+        - 3 / 16 * x174 * x64
+    )
+    p6 = -27 / 128 * x159 - 9 / 64 * x64
+    return zone(p0, p1, p2, p3, p4, p5, p6)
+
+
+def _detuning(Omega, r_m, r_b, omega_x, omega_y, r_a, omega_b):
+    # Intermediates
+    x0 = omega_b * omega_b
+    x1 = Omega * Omega
+    x2 = r_a * r_a
+    x3 = np.sqrt(x0 + x1 * x2)
+    # Outputs
+    sigma_1_at_speed = Omega - omega_x - x3
+    sigma_2_at_speed = omega_y - omega_x
+    omega_phi_at_speed = x3
+    return sigma_1_at_speed, sigma_2_at_speed, r_m, r_b, omega_x, omega_phi_at_speed
+
+
+def _slow_flow_matrix(out, sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = 3 * omega_x
+    x1 = 1 / omega_phi
+    x2 = omega_x * omega_x
+    x3 = r_b * x2
+    x4 = x1 * x3
+    x5 = r_m / (omega_phi + omega_x)
+    x6 = 1 / 8 * x4 * x5
+    x7 = -x6 * (2 * omega_phi + x0)
+    x8 = 4 * omega_phi
+    x9 = x6 * (x0 + x8)
+    x10 = 1 / 4 * omega_x * r_m + 3 / 8 * r_m * sigma_1
+    x11 = -x10
+    x12 = x10 - 1 / 8 * r_m * sigma_2
+    x13 = -x12
+    x14 = omega_phi * omega_phi
+    x15 = 1 / x14
+    x16 = 1 / 4 * x4 - 1 / 8 * sigma_1 * x15 * x3
+    x17 = r_b * x15
+    x18 = 1 / 8 * omega_x * sigma_2 * x17 * (omega_x + x8) + x16
+    x19 = 2 * omega_x
+    x20 = omega_x * x2
+    x21 = omega_phi * x14
+    x22 = x14 * x14
+    x23 = x2 * x2
+    x24 = 13 / 16 * omega_phi * x20 + 7 / 4 * x14 * x2 + x19 * x21 + x22 + 1 / 8 * x23
+    x25 = x17 * x5
+    x26 = sigma_1 - x24 * x25
+    x27 = 5 / 4 * omega_phi * x2 + x14 * x19 + 3 / 16 * x20 + x21
+    x28 = r_b * x1 * x5
+    x29 = -x27 * x28
+    x30 = x24 * x25
+    x31 = x27 * x28
+    x32 = -x16
+    x33 = -x18
+    # Outputs
+    out[..., 0, 0].imag = x7
+    out[..., 0, 1].real = x9
+    out[..., 0, 2].real = x10
+    out[..., 0, 3].imag = x10
+    out[..., 0, 4].real = x11
+    out[..., 0, 5].imag = x11
+    out[..., 1, 0].real = -x9
+    out[..., 1, 1].imag = sigma_2 + x7
+    out[..., 1, 2].imag = x13
+    out[..., 1, 3].real = x12
+    out[..., 1, 4].imag = x12
+    out[..., 1, 5].real = x13
+    out[..., 2, 0].real = x16
+    out[..., 2, 1].imag = x18
+    out[..., 2, 2].imag = x26
+    out[..., 2, 3].real = x29
+    out[..., 2, 4].imag = x30
+    out[..., 2, 5].real = x31
+    out[..., 3, 0].imag = x32
+    out[..., 3, 1].real = x18
+    out[..., 3, 2].real = x31
+    out[..., 3, 3].imag = x26
+    out[..., 3, 4].real = x29
+    out[..., 3, 5].imag = x30
+    out[..., 4, 0].real = x32
+    out[..., 4, 1].imag = x33
+    out[..., 4, 2].imag = x30
+    out[..., 4, 3].real = x31
+    out[..., 4, 4].imag = x26
+    out[..., 4, 5].real = x29
+    out[..., 5, 0].imag = x16
+    out[..., 5, 1].real = x33
+    out[..., 5, 2].real = x29
+    out[..., 5, 3].imag = x30
+    out[..., 5, 4].real = x31
+    out[..., 5, 5].imag = x26
+
+
+def _characteristic_coefficients(out, sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = omega_phi * omega_phi
+    x1 = 1 / x0
+    x2 = 1 / (omega_phi + omega_x)
+    x3 = omega_phi * omega_x
+    x4 = omega_x * omega_x
+    x5 = sigma_1 * sigma_2
+    x6 = 1 / omega_phi
+    x7 = r_b * r_m
+    x8 = omega_x * x4
+    x9 = x6 * x7 * x8
+    x10 = x1 * x7
+    x11 = x5 * (3 * omega_phi + omega_x)
+    x12 = 4 * omega_phi + omega_x
+    x13 = x3 + x4 - x0
+    x14 = 3 * x4
+    x15 = 1 / 16 * x2
+    x16 = omega_phi * x0
+    x17 = 1 / x16
+    x18 = r_b * r_b
+    x19 = r_m * r_m
+    x20 = x18 * x19
+    x21 = x4 * x4
+    x22 = x20 * x21
+    x23 = x17 * x22
+    x24 = sigma_1 * sigma_1
+    x25 = sigma_2 * sigma_2
+    x26 = x10 * x4
+    x27 = 1 / 8 * x2
+    x28 = x4 * x8
+    x29 = x20 * x28
+    x30 = x1 * x15
+    x31 = x17 * x2
+    x32 = x20 * x8
+    x33 = 2 * omega_phi
+    x34 = x8 * x8
+    x35 = r_b * x18
+    x36 = r_m * x19
+    x37 = omega_x + x33
+    x38 = x37 * x37
+    x39 = x38 * x38
+    # Outputs
+    c1_2 = 1j * (1 / 4 * r_b * r_m * x1 * x2 * x4 * (6 * x0 + 8 * x3 + x4) - sigma_1 - sigma_2)
+    c1_1 = (
+        1 / 16 * omega_x * r_b * r_m * x1 * x12 * x25
+        + 1 / 4 * r_b * r_m * sigma_1 * x1 * x13 * x2 * x4
+        + 1 / 8 * r_b * r_m * sigma_2 * x1 * x2 * x4 * (7 * x0 + 9 * x3 + x4)
+        + 3 / 8 * r_b * r_m * x1 * x24 * x4 - 1 / 4 * omega_x * x10 * x11
+        - x15 * x23 * (5 * x0 + x14 + 14 * x3) - x5 - 1 / 2 * x9
+    )
+    c1_0 = (
+        1j * (1 / 32 * sigma_2 * x2 * x23 * (11 * x0 + x14 + 15 * x3) + 1 / 4 * sigma_2 * x9
+        + x11 * x30 * x32 + 1 / 128 * x12 * x25 * x31 * x32 * (3 * omega_x + x33)
+        + 3 / 64 * x12 * x31 * x34 * x35 * x36 + x27 * x29 * x6 - sigma_1 * x29 * x30
+        - 3 / 16 * sigma_2 * x24 * x26 - 3 / 32 * x1 * x2 * x22 * x24 - x13 * x26 * x27 * x5)
+    )
+    c2_0 = -1j * sigma_1
+    c3_0 = 1j * (1 / 4 * r_b * r_m * x1 * x2 * x39 - sigma_1)
+    multiply_out(out, ((c1_2, c1_1, c1_0), 1), ((c2_0,), 2), ((c3_0,), 1))
+
+
+def _slow_flow(
+    out, A_x, A_y, A_phi_1, A_phi_2, A_phi_3, A_phi_4, sigma_1, sigma_2, r_m, r_b, omega_x,
+    omega_phi,
+):
+    # Intermediates
+    x0 = np.conj(A_phi_1)
+    x1 = 2 * omega_x
+    x2 = 3 * sigma_1 + x1
+    x3 = np.conj(A_phi_3)
+    x4 = 1 / 8 * r_m
+    x5 = x2 * x4
+    x6 = np.conj(A_phi_2)
+    x7 = np.conj(A_phi_4)
+    x8 = 1 / omega_phi
+    x9 = 1 / (omega_phi + omega_x)
+    x10 = 3 * omega_x
+    x11 = 4 * omega_phi
+    x12 = x10 + x11
+    x13 = 2 * omega_phi
+    x14 = omega_x * omega_x
+    x15 = r_b * x14
+    x16 = 1j * x15
+    x17 = x4 * x9
+    x18 = x16 * x17
+    x19 = x2 - sigma_2
+    x20 = x19 * x4
+    x21 = r_m * x8
+    x22 = 1j * sigma_1
+    x23 = omega_phi * omega_phi
+    x24 = 1 / x23
+    x25 = 1 / 8 * x24
+    x26 = x25 * (x13 - sigma_1) * np.conj(A_x)
+    x27 = x15 * x26
+    x28 = (
+        omega_x * r_b * x25 * (omega_phi * x1 + omega_x * sigma_2 + sigma_2 * x11
+        - omega_x * sigma_1) * np.conj(A_y)
+    )
+    x29 = 1j * x28
+    x30 = 1 / 16 * r_b * x9
+    x31 = A_phi_2 * x30
+    x32 = 32 * omega_x
+    x33 = omega_phi * x23
+    x34 = omega_x * x14
+    x35 = x21 * (20 * omega_phi * x14 + x23 * x32 + 16 * x33 + 3 * x34)
+    x36 = x31 * x35
+    x37 = x30 * x35
+    x38 = A_phi_4 * x37
+    x39 = x14 * x14
+    x40 = x23 * x23
+    x41 = 1j * r_m * x24 * (13 * omega_phi * x34 + 28 * x14 * x23 + x32 * x33 + 2 * x39 + 16 * x40)
+    x42 = x30 * x41
+    x43 = A_phi_1 * x42
+    x44 = A_phi_3 * x42
+    x45 = A_phi_1 * x37 + x16 * x26 + x28 + x31 * x41 - A_phi_3 * x37 - A_phi_4 * x42
+    # Outputs
+    out[..., 0] = (
+        1 / 8 * A_y * r_b * r_m * x12 * x14 * x8 * x9 + 1 / 8 * r_m * x0 * x2
+        + 1 / 8 * 1j * r_m * x2 * x6 - A_x * x18 * x8 * (x10 + x13) - x3 * x5 - 1j * x5 * x7
+    )
+    out[..., 1] = (
+        A_y * (1j * sigma_2 + x18 - 3 / 8 * x16 * x21) + 1 / 8 * 1j * r_m * x19 * x3
+        + 1 / 8 * r_m * x19 * x6 - A_x * x12 * x15 * x17 * x8 - 1j * x0 * x20 - x20 * x7
+    )
+    out[..., 2] = x27 + x38 + x43 - A_phi_1 * x22 - x29 - x36 - x44
+    out[..., 3] = x45 - A_phi_2 * x22
+    out[..., 4] = x29 + x36 + x44 - A_phi_3 * x22 - x27 - x38 - x43
+    out[..., 5] = -A_phi_4 * x22 - x45
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    The polynomial of the undamped modes is real in Λ, Γ = iΛ; the eigenvalues of its companion
+    matrix are exactly real where the modes are neutral, so that the rate is exactly 0.0 there.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma_1.
+
+    The interval nearest to zero in which the polynomial with the coefficients p0, p1, … (lowest
+    power first) is positive; infinite where the interval has no end.
+
+    Parameters
+    ----------
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_phi=omega_phi,
+    )
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(
+    *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, r_a: ArrayLike,
+    omega_b: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in Omega.
+
+    Where Omega = omega_x + omega_phi + sigma_1 lies on an edge of `boundaries`. With omega_phi =
+    sqrt(Omega**2*r_a**2 + omega_b**2) this is an equation for Omega, solved to full double
+    precision. Where it has several roots: first Omega without detuning is found, the smallest
+    positive one (two that are closer than ten per cent may be passed over), then the nearest to
+    that on the side of the edge.
+
+    Parameters
+    ----------
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_b : array_like
+        Lag frequency of a blade at rest, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, r_a=r_a, omega_b=omega_b,
+    )
+    return implicit_edges(_detuning, _boundaries, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6, 6), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (6, 6))
+
+
+def characteristic_coefficients(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 7), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (7,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike,
+    r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES.
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))

@@ -1,0 +1,554 @@
+# Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
+# Made from sha256 863004c97810e621c61c6e5d77b1549208b878ea60c785db51c4879bdcd4a600
+# Operations for each point: growth_rate 75, slow_flow_matrix 88, characteristic_coefficients 105,
+# slow_flow 147
+"""ground_resonance: Omega = omega_y - omega_phi + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are written at ε = 1.
+
+It cannot be unstable: the discriminant of Gamma**2 - I*Gamma*sigma +
+omega_y**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
+mode turns without growing.
+
+NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
+omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
+
+Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    growing,
+    multiply_out,
+    no_edges,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("Omega = omega_y - omega_phi + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, Omega = -omega_phi + omega_y + sigma"),
+    "r_m": ("positive", "m", "static moment of a blade over the mass of the helicopter"),
+    "r_b": ("positive", "1/m", "static moment of a blade over its inertia about the hinge"),
+    "omega_x": ("positive", "rad/s", "longitudinal frequency of the fuselage"),
+    "omega_y": ("positive", "rad/s", "lateral frequency of the fuselage"),
+    "omega_phi": ("positive", "rad/s", "lag frequency of a blade at speed"),
+    "r_a": ("positive", "1", "lag frequency per rotor speed of a blade without lag spring"),
+    "omega_b": ("positive", "rad/s", "lag frequency of a blade at rest"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+    "y": {},
+    "phi_1": {"sigma": -1},
+    "phi_2": {"sigma": -1},
+    "phi_3": {"sigma": -1},
+    "phi_4": {"sigma": -1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "A_y", "A_phi_1", "A_phi_2", "A_phi_3", "A_phi_4")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = 1 / omega_phi
+    x1 = omega_y * omega_y
+    x2 = omega_y * x1
+    x3 = x0 * x2
+    x4 = r_b * r_m
+    x5 = omega_phi * omega_phi
+    x6 = x1 / x5
+    x7 = omega_x + omega_y
+    x8 = -omega_y
+    x9 = omega_x + x8
+    x10 = -omega_phi - x8
+    x11 = 6 * omega_phi
+    x12 = sigma * sigma
+    x13 = x1 * x1
+    x14 = x9 * x9
+    x15 = x10 * x10
+    x16 = x7 * x7
+    x17 = x5 * x5
+    x18 = r_b * r_b
+    x19 = r_m * r_m
+    x20 = omega_x * omega_x
+    x21 = 2 * x20
+    x22 = x1 * x20 + x11 * x2 + x21 * x5 - omega_phi * omega_y * x21 - 6 * x1 * x5 - x13
+    x23 = x22 * x22
+    # Outputs
+    discriminant_1 = (
+        r_b * r_m * sigma * (1 / 2 * x0 * x2 / x9 - 1 / 2 * x3 / x7
+        - 1 / 4 * x6 * (omega_y * x11 + x1 - 8 * x5) / x10) - 3 / 4 * x12 * x4 * x6 - x12
+        - 1 / 64 * x13 * x18 * x19 * x23 / (x14 * x15 * x16 * x17) - x3 * x4
+    )
+    return growing(discriminant_1)
+
+
+def _slow_flow_matrix(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = omega_x * omega_x
+    x1 = omega_x * x0
+    x2 = 1 / 2 * x1
+    x3 = omega_x + omega_y
+    x4 = 1 / x3
+    x5 = 2 * omega_phi
+    x6 = 1 / (x3 - x5)
+    x7 = x4 * x6
+    x8 = -omega_y
+    x9 = omega_x + x8
+    x10 = 1 / x9
+    x11 = 1 / (x5 + x9)
+    x12 = x10 * x11
+    x13 = r_b * r_m
+    x14 = omega_phi + x8
+    x15 = -1 / x14
+    x16 = 1 / omega_phi
+    x17 = omega_y * omega_y
+    x18 = x16 * x17
+    x19 = 1 / 4 * omega_y * r_m + 3 / 8 * r_m * sigma
+    x20 = -x19
+    x21 = omega_phi * omega_phi
+    x22 = 1 / x21
+    x23 = 1 / 8 * r_b * sigma * x17 * x22 + 1 / 4 * r_b * x18
+    x24 = -x23
+    x25 = omega_y * x17
+    x26 = omega_phi * x21
+    x27 = (
+        1 / 4 * omega_phi * x0 + 19 / 32 * omega_phi * x17 + 31 / 32 * x26 - 33 / 32 * omega_y * x21
+        - 1 / 16 * x25
+    )
+    x28 = 1 / 32 * x15
+    x29 = 1 / 16 * x1 * x16
+    x30 = x10 * x29 + x11 * x29 + x21 * x28 + x29 * x4 + x29 * x6
+    x31 = sigma + x13 * (x22 * x27 - x30)
+    x32 = 1 / 8 * x1
+    x33 = x12 * x32 + x14 + 3 / 32 * x18 - x17 * x28 - x32 * x7
+    x34 = x13 * x33
+    x35 = x13 * (x30 - x22 * x27)
+    x36 = -x13 * x33
+    # Outputs
+    out[..., 0, 0].imag = x13 * (x12 * x2 + x2 * x7)
+    out[..., 1, 1].imag = 1 / 8 * x13 * x15 * x18 * (3 * omega_y - x5)
+    out[..., 1, 2].imag = x20
+    out[..., 1, 3].real = x19
+    out[..., 1, 4].imag = x19
+    out[..., 1, 5].real = x20
+    out[..., 2, 1].imag = x24
+    out[..., 2, 2].imag = x31
+    out[..., 2, 3].real = x34
+    out[..., 2, 4].imag = x35
+    out[..., 2, 5].real = x36
+    out[..., 3, 1].real = x24
+    out[..., 3, 2].real = x36
+    out[..., 3, 3].imag = x31
+    out[..., 3, 4].real = x34
+    out[..., 3, 5].imag = x35
+    out[..., 4, 1].imag = x23
+    out[..., 4, 2].imag = x35
+    out[..., 4, 3].real = x36
+    out[..., 4, 4].imag = x31
+    out[..., 4, 5].real = x34
+    out[..., 5, 1].real = x23
+    out[..., 5, 2].real = x34
+    out[..., 5, 3].imag = x35
+    out[..., 5, 4].real = x36
+    out[..., 5, 5].imag = x31
+
+
+def _characteristic_coefficients(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = omega_x + omega_y
+    x1 = 1 / x0
+    x2 = 2 * omega_phi
+    x3 = 1 / (x0 - x2)
+    x4 = omega_x * omega_x
+    x5 = omega_x * x4
+    x6 = 1 / 2 * x5
+    x7 = -omega_y
+    x8 = omega_x + x7
+    x9 = 1 / x8
+    x10 = 1 / (x2 + x8)
+    x11 = r_b * r_m
+    x12 = -sigma
+    x13 = 1 / 4 / omega_phi
+    x14 = omega_y * omega_y
+    x15 = omega_y * x14
+    x16 = x13 * x15
+    x17 = omega_phi * omega_y
+    x18 = 1 / (-omega_phi - x7)
+    x19 = 1 / 8 * x18
+    x20 = omega_phi * omega_phi
+    x21 = 1 / x20
+    x22 = x14 * x21
+    x23 = x19 * x22
+    x24 = omega_phi * x4
+    x25 = omega_phi * x20
+    x26 = sigma * sigma
+    x27 = x14 * x14
+    x28 = r_b * r_b
+    x29 = r_m * r_m
+    x30 = x13 * x5
+    # Outputs
+    c1_0 = 1j * x11 * (-x1 * x3 * x6 - x10 * x6 * x9)
+    c2_1 = 1j * (x11 * (x16 * x9 + x23 * (x14 + 6 * x20 - 8 * x17) - x1 * x16) + x12)
+    c2_0 = (
+        sigma * x11 * x23 * (x14 - x17 - x20) + 1 / 64 * x1 * x18 * x27 * x28 * x29 * x9 * (3
+        * omega_y - x2) * (8 * omega_phi * x14 + omega_y * x4 - x15 - 4 * x24) / x25 + x11 * x16
+        + 3 / 16 * x11 * x22 * x26
+    )
+    c3_0 = -1j * sigma
+    c4_0 = (
+        1j * (x11 * (x10 * x30 + x19 * x20 + x21 * (33 / 8 * omega_y * x20 + 1 / 8 * x15 - 11 / 8
+        * omega_phi * x14 - 1 / 2 * x24 - 31 / 8 * x25) + x3 * x30) + x12)
+    )
+    multiply_out(out, ((c1_0,), 1), ((c2_1, c2_0), 1), ((c3_0,), 2), ((c4_0,), 1))
+
+
+def _slow_flow(
+    out, A_x, A_y, A_phi_1, A_phi_2, A_phi_3, A_phi_4, sigma, r_m, r_b, omega_x, omega_y, omega_phi,
+):
+    # Intermediates
+    x0 = 2 * omega_phi
+    x1 = omega_x + omega_y
+    x2 = 1 / (x1 - x0)
+    x3 = omega_x * omega_x
+    x4 = omega_x * x3
+    x5 = x4 / x1
+    x6 = x2 * x5
+    x7 = r_b * r_m
+    x8 = 1j * x7
+    x9 = 1 / 2 * x8
+    x10 = -omega_y
+    x11 = omega_x + x10
+    x12 = 1 / (x0 + x11)
+    x13 = 1 / x11
+    x14 = x13 * x4
+    x15 = 1 / 8 * r_m * (2 * omega_y + 3 * sigma)
+    x16 = 1j * x15
+    x17 = -omega_phi - x10
+    x18 = 1 / x17
+    x19 = 1 / omega_phi
+    x20 = omega_y * omega_y
+    x21 = x20 * x7
+    x22 = 1 / 8 * A_y
+    x23 = 1j * sigma
+    x24 = omega_phi * omega_phi
+    x25 = 1 / x24
+    x26 = r_b * x20 * x22 * x25 * (sigma + x0)
+    x27 = 1j * x26
+    x28 = 1 / 32 * x18
+    x29 = (
+        x17 * x7 + x21 * x28 + 1 / 8 * x6 * x7 - 1 / 8 * r_b * r_m * x12 * x13 * x4
+        - 3 / 32 * r_b * r_m * x19 * x20
+    )
+    x30 = -x29
+    x31 = 1 / 16 * x19 * x8
+    x32 = x31 * x4
+    x33 = omega_phi * x24
+    x34 = omega_y * x20
+    x35 = (
+        x12 * x32 + x14 * x31 + x2 * x32 + x24 * x28 * x8 + 1 / 32 * x25 * x8 * (33 * omega_y * x24
+        + 2 * x34 - 19 * omega_phi * x20 - 8 * omega_phi * x3 - 31 * x33) + x31 * x5
+    )
+    x36 = -x35
+    # Outputs
+    out[..., 0] = A_x * (x12 * x14 * x9 + x6 * x9)
+    out[..., 1] = (
+        A_phi_2 * x15 + A_phi_3 * x16 + 1j * x18 * x19 * x21 * x22 * (3 * omega_y - x0)
+        - A_phi_1 * x16 - A_phi_4 * x15
+    )
+    out[..., 2] = (
+        A_phi_1 * x23 + A_phi_1 * x36 + A_phi_2 * x30 + A_phi_3 * x35 + A_phi_4 * x29 - x27
+    )
+    out[..., 3] = (
+        A_phi_1 * x29 + A_phi_2 * x23 + A_phi_2 * x36 + A_phi_3 * x30 + A_phi_4 * x35 - x26
+    )
+    out[..., 4] = (
+        A_phi_1 * x35 + A_phi_2 * x29 + A_phi_3 * x23 + A_phi_3 * x36 + A_phi_4 * x30 + x27
+    )
+    out[..., 5] = (
+        A_phi_1 * x30 + A_phi_2 * x35 + A_phi_3 * x29 + A_phi_4 * x23 + A_phi_4 * x36 + x26
+    )
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
+    omega_phi: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    Amplitudes grow like exp(Γ t). Where the discriminant of the quadratic in Γ is positive, the
+    rate is half its root; elsewhere both modes are neutral and the rate is exactly 0.0.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = -omega_phi + omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    This case cannot be unstable for any detuning: NaN everywhere.
+
+    Parameters
+    ----------
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, omega_phi=omega_phi,
+    )
+    return evaluate_pair(no_edges, arguments)
+
+
+def critical_speeds(
+    *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, r_a: ArrayLike,
+    omega_b: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in the detuned frequency: there is none.
+
+    This case cannot be unstable for any detuning: NaN everywhere.
+
+    Parameters
+    ----------
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_b : array_like
+        Lag frequency of a blade at rest, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        NaN, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, r_a=r_a, omega_b=omega_b,
+    )
+    return evaluate_pair(no_edges, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = -omega_phi + omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6, 6), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (6, 6))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = -omega_phi + omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 7), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (7,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = -omega_phi + omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))

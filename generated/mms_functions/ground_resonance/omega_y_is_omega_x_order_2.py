@@ -1,0 +1,489 @@
+# Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
+# Made from sha256 4f7ba629f6205d6af17e2a4fea785457f6d15abd8022d7ea370f6546e6d31c12
+# Operations for each point: growth_rate 31, slow_flow_matrix 63, characteristic_coefficients 46,
+# slow_flow 105
+"""ground_resonance: omega_y = omega_x + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are written at ε = 1.
+
+It cannot be unstable: the discriminant of Gamma**2 - I*Gamma*sigma -
+omega_x**3*r_b*r_m*sigma*(Omega**2 - omega_phi**2 + omega_x**2)/((Omega - omega_phi -
+omega_x)*(Omega - omega_phi + omega_x)*(Omega + omega_phi - omega_x)*(Omega + omega_phi + omega_x))
+is negative at every detuning, the modes only exchange energy; one mode turns without growing.
+
+NaN where a divisor vanishes, which is a further resonance and a case of its own: Omega + omega_phi
+- omega_x, Omega - omega_phi + omega_x, Omega - omega_phi - omega_x.
+
+Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    growing,
+    multiply_out,
+    no_edges,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("omega_y = omega_x + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, omega_y = omega_x + sigma"),
+    "Omega": ("positive", "rad/s", "rotor speed"),
+    "r_m": ("positive", "m", "static moment of a blade over the mass of the helicopter"),
+    "r_b": ("positive", "1/m", "static moment of a blade over its inertia about the hinge"),
+    "omega_x": ("positive", "rad/s", "longitudinal frequency of the fuselage"),
+    "omega_phi": ("positive", "rad/s", "lag frequency of a blade at speed"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+    "y": {},
+    "phi_1": {},
+    "phi_2": {},
+    "phi_3": {},
+    "phi_4": {},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "A_y", "A_phi_1", "A_phi_2", "A_phi_3", "A_phi_4")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, Omega, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = sigma * sigma
+    x1 = Omega * Omega
+    x2 = omega_x * omega_x
+    x3 = x2 * x2
+    x4 = x3 * x3
+    x5 = r_b * r_b
+    x6 = r_m * r_m
+    x7 = Omega + omega_phi
+    x8 = omega_x + x7
+    x9 = x8 * x8
+    x10 = x7 - omega_x
+    x11 = x10 * x10
+    x12 = Omega + omega_x - omega_phi
+    x13 = x12 * x12
+    x14 = Omega - omega_phi - omega_x
+    x15 = x14 * x14
+    # Outputs
+    discriminant_1 = -x0 - 16 * x1 * x4 * x5 * x6 / (x11 * x13 * x15 * x9)
+    return growing(discriminant_1)
+
+
+def _slow_flow_matrix(out, sigma, Omega, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = Omega + omega_x
+    x1 = 1 / (x0 - omega_phi)
+    x2 = Omega - omega_x
+    x3 = 1 / (omega_phi + x2)
+    x4 = 1 / (omega_phi + x0)
+    x5 = 1 / (Omega - omega_phi - omega_x)
+    x6 = r_b * r_m
+    x7 = x1 * x3 * x4 * x5 * x6
+    x8 = omega_x * omega_x
+    x9 = omega_x * x8
+    x10 = Omega * Omega
+    x11 = omega_phi * omega_phi
+    x12 = x7 * x9 * (x10 + x8 - x11)
+    x13 = Omega * x7
+    x14 = x8 * x8
+    x15 = 2 * x13 * x14
+    x16 = 1 / x0
+    x17 = 1 / 8 * x9
+    x18 = x16 * x17
+    x19 = 1 / x2
+    x20 = x17 * x19
+    x21 = x10 * x10
+    x22 = (
+        1 / 2 * omega_phi + x18 * x4 + x20 * x5 + 1 / 2 * x16 * x19 * x21 / omega_phi - x1 * x18
+        - x20 * x3
+    )
+    x23 = x22 * x6
+    x24 = 2 * x10
+    x25 = x11 * x11
+    x26 = x13 * (x21 + x25 - x11 * x24 - 2 * x11 * x8 - x24 * x8)
+    x27 = -x26
+    x28 = -x22 * x6
+    # Outputs
+    out[..., 0, 0].imag = x12
+    out[..., 0, 1].real = -x15
+    out[..., 1, 0].real = x15
+    out[..., 1, 1].imag = sigma + x12
+    out[..., 2, 2].imag = x23
+    out[..., 2, 3].real = x27
+    out[..., 2, 4].imag = x28
+    out[..., 2, 5].real = x26
+    out[..., 3, 2].real = x26
+    out[..., 3, 3].imag = x23
+    out[..., 3, 4].real = x27
+    out[..., 3, 5].imag = x28
+    out[..., 4, 2].imag = x28
+    out[..., 4, 3].real = x26
+    out[..., 4, 4].imag = x23
+    out[..., 4, 5].real = x27
+    out[..., 5, 2].real = x27
+    out[..., 5, 3].imag = x28
+    out[..., 5, 4].real = x26
+    out[..., 5, 5].imag = x23
+
+
+def _characteristic_coefficients(out, sigma, Omega, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = Omega - omega_phi
+    x1 = 1 / ((omega_x + x0) * (Omega - omega_phi - omega_x))
+    x2 = Omega + omega_phi
+    x3 = 1 / ((x2 - omega_x) * (omega_x + x2))
+    x4 = x1 * x3
+    x5 = r_b * r_m
+    x6 = omega_x * omega_x
+    x7 = omega_x * x6
+    x8 = Omega * Omega
+    x9 = omega_phi * omega_phi
+    x10 = x4 * x5 * x7 * (x6 + x8 - x9)
+    x11 = x7 * x7
+    x12 = r_b * r_b
+    x13 = r_m * r_m
+    x14 = 1j * x5 / omega_phi
+    x15 = x0 * x0
+    x16 = x15 * x15
+    x17 = x2 * x2
+    x18 = x17 * x17
+    # Outputs
+    c1_1 = 1j * (-sigma - 2 * x10)
+    c1_0 = -sigma * x10 - x11 * x12 * x13 * x4
+    c2_0 = -x1 * x14 * x16
+    c3_0 = -x14 * x18 * x3
+    multiply_out(out, ((c1_1, c1_0), 1), ((c2_0,), 1), ((c3_0,), 1), ((0.0,), 2))
+
+
+def _slow_flow(
+    out, A_x, A_y, A_phi_1, A_phi_2, A_phi_3, A_phi_4, sigma, Omega, r_m, r_b, omega_x, omega_phi,
+):
+    # Intermediates
+    x0 = Omega + omega_x
+    x1 = 1 / (omega_phi + x0)
+    x2 = 1 / (x0 - omega_phi)
+    x3 = Omega - omega_x
+    x4 = 1 / (omega_phi + x3)
+    x5 = 1 / (Omega - omega_phi - omega_x)
+    x6 = x1 * x2 * x4 * x5
+    x7 = r_b * r_m
+    x8 = Omega * x6 * x7
+    x9 = omega_x * omega_x
+    x10 = x9 * x9
+    x11 = 2 * x10 * x8
+    x12 = 1j * x7
+    x13 = omega_x * x9
+    x14 = x12 * x13
+    x15 = Omega * Omega
+    x16 = omega_phi * omega_phi
+    x17 = 1 / x0
+    x18 = 1 / 4 * x14
+    x19 = x17 * x18
+    x20 = 1 / x3
+    x21 = x18 * x20
+    x22 = 2 * x15
+    x23 = x15 * x15
+    x24 = x16 * x16
+    x25 = x8 * (x23 + x24 - x16 * x22 - 2 * x16 * x9 - x22 * x9)
+    x26 = A_phi_4 * x25
+    x27 = A_phi_2 * x25
+    x28 = 1 / 2 * x12
+    x29 = 1 / 8 * x14
+    x30 = x17 * x29
+    x31 = x20 * x29
+    x32 = (
+        omega_phi * x28 + x1 * x30 + x31 * x5 + x17 * x20 * x23 * x28 / omega_phi - x2 * x30
+        - x31 * x4
+    )
+    x33 = -x32
+    x34 = A_phi_1 * x25
+    x35 = A_phi_3 * x25
+    # Outputs
+    out[..., 0] = A_x * x14 * x6 * (x15 + x9 - x16) - A_y * x11
+    out[..., 1] = A_x * x11 + A_y * (1j * sigma + x1 * x19 + x19 * x2 + x21 * x4 + x21 * x5)
+    out[..., 2] = A_phi_1 * x32 + A_phi_3 * x33 + x26 - x27
+    out[..., 3] = A_phi_2 * x32 + A_phi_4 * x33 + x34 - x35
+    out[..., 4] = A_phi_1 * x33 + A_phi_3 * x32 + x27 - x26
+    out[..., 5] = A_phi_2 * x33 + A_phi_4 * x32 + x35 - x34
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    Amplitudes grow like exp(Γ t). Where the discriminant of the quadratic in Γ is positive, the
+    rate is half its root; elsewhere both modes are neutral and the rate is exactly 0.0.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    This case cannot be unstable for any detuning: NaN everywhere.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_phi=omega_phi,
+    )
+    return evaluate_pair(no_edges, arguments)
+
+
+def critical_speeds(
+    *, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in the detuned frequency: there is none.
+
+    This case cannot be unstable for any detuning: NaN everywhere.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        NaN, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_phi=omega_phi,
+    )
+    return evaluate_pair(no_edges, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6, 6), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (6, 6))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
+    omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 7), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (7,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))
