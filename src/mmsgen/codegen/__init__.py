@@ -1,16 +1,14 @@
 """Plain NumPy functions from solved cases.
 
-`render` makes the text of the files, `generate` writes them, `load` imports what would be written.
-One file for each idea: what is emitted (`growth`, `boundaries`, `speeds`, `matrices`,
-`modulation`), as records (`kernels`); the target language (`numpy_target`); the files
-(`case_module`, `model_module`, `reference`, `writing`); and `_runtime`, which is emitted as it
-stands.
+`render` makes the text of the files, `generate` writes them. One file for each idea: what is
+emitted (`growth`, `boundaries`, `speeds`, `matrices`, `modulation`), as records (`kernels`); the
+target language (`numpy_target`); the files (`case_module`, `model_module`, `reference`); and
+`_runtime`, which is emitted as it stands.
 """
 
 from __future__ import annotations
 
 from .emission import emitted_functions, generate, render
-from .loading import load
 from .naming import case_name
 
-__all__ = ["case_name", "emitted_functions", "generate", "load", "render"]
+__all__ = ["case_name", "emitted_functions", "generate", "render"]

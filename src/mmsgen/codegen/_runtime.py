@@ -17,6 +17,7 @@ __all__ = [
     "checked",
     "checked_amplitudes",
     "conservative_growth",
+    "defined",
     "evaluate",
     "evaluate_array",
     "evaluate_pair",
@@ -34,7 +35,7 @@ __all__ = [
 Kernel = Callable[..., Any]
 
 # Points that are evaluated together: their intermediates stay in the second-level cache.
-BLOCK = 8192
+BLOCK = 32768
 
 # Points that are solved together: every one of them is looked at on a whole grid of speeds.
 ROOT_BLOCK = 1024
@@ -63,6 +64,17 @@ def _inside(array: NDArray[np.float64], domain: str) -> NDArray[np.bool_]:
     return finite
 
 
+def _within(low: float, high: float, domain: str) -> bool:
+    """Whether the ends of an array lie in the domain: a NaN anywhere is a NaN at both."""
+    if domain == "positive":
+        return low > 0.0 and high < np.inf
+    if domain == "nonnegative":
+        return low >= 0.0 and high < np.inf
+    if domain == "negative":
+        return low > -np.inf and high < 0.0
+    return low > -np.inf and high < np.inf
+
+
 def checked(
     parameters: Mapping[str, tuple[str, str, str]], /, **values: ArrayLike
 ) -> list[NDArray[np.float64]]:
@@ -89,8 +101,7 @@ def checked(
         if array.dtype.kind not in "iuf":
             raise ValueError(f"{name} must be real and {DOMAINS[domain]}, got {value!r}")
         array = array.astype(np.float64, copy=False)
-        # The two ends tell all: a NaN anywhere is a NaN at both.
-        if array.size and not _inside(np.array([array.min(), array.max()]), domain).all():
+        if array.size and not _within(float(array.min()), float(array.max()), domain):
             flat = array.ravel()
             k = int(np.argmin(_inside(flat, domain)))
             where = f" at index {k}" if flat.size > 1 else ""
@@ -202,6 +213,12 @@ def evaluate_array(
     return out
 
 
+def defined(lower: Any, upper: Any) -> tuple[Any, Any]:
+    """NaN for both edges where a divisor in their formula vanishes."""
+    finite = np.isfinite(lower) & np.isfinite(upper)
+    return np.where(finite, lower, np.nan), np.where(finite, upper, np.nan)
+
+
 def no_edges(*arguments: Any) -> tuple[float, float]:
     """NaN for both edges: there is no zone."""
     return np.nan, np.nan
@@ -232,7 +249,8 @@ def quadratic_growth(b: Any, c: Any) -> Any:
     root = np.where((b.conj() * root).real < 0.0, -root, root)
     q = -0.5 * (b + root)
     other = np.where(q == 0.0, 0.0, c / np.where(q == 0.0, 1.0, q))
-    return np.maximum(q.real, other.real)
+    rate = np.maximum(q.real, other.real)
+    return np.where(np.isfinite(b) & np.isfinite(c), rate, np.nan)
 
 
 def conservative_growth(*coefficients: Any) -> Any:
@@ -280,7 +298,7 @@ def _roots(table: NDArray[np.float64]) -> NDArray[np.complex128]:
     matrices[..., 1:, :-1] = np.eye(n - 1)
     matrices[..., :, -1] = -np.where(finite, table, 0.0)
     roots = np.linalg.eigvals(matrices).astype(np.complex128, copy=False)
-    return np.where(finite, roots, np.nan)
+    return np.where(finite, roots, complex(np.nan, np.nan))
 
 
 # --- the unstable interval of a detuning ----------------------------------------------------------

@@ -42,6 +42,10 @@ def boundary_kernel(setting: Setting) -> Kernel | None:
     if edges is not None:
         keys = [fresh(edge, names) for edge in EDGES]
         ir = compute_ir(title, arguments, dict(zip(keys, edges, strict=True)))
+        if setting.poles:
+            return Kernel(
+                "_boundaries", ir, f"return defined({', '.join(keys)})", uses=("defined",)
+            )
         return Kernel("_boundaries", ir, f"return {', '.join(keys)}")
     criterion = setting.criterion
     keys = [fresh(f"p{k}", names) for k in range(len(criterion))]
@@ -82,7 +86,7 @@ def boundary_function(setting: Setting) -> EmittedFunction:
 def _description(setting: Setting, kernel: Kernel | None) -> str:
     if kernel is None:
         return "This case cannot be unstable for any detuning: NaN everywhere."
-    if kernel.uses:
+    if setting.edges is None:
         return (
             "The interval nearest to zero in which the polynomial with the coefficients p0, p1, … "
             "(lowest power first) is positive; infinite where the interval has no end."

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Sequence
 from fractions import Fraction
@@ -27,7 +28,7 @@ $operations
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import $typing
 
 import numpy as np
 
@@ -106,9 +107,8 @@ def case_text(
     kernels = [kernel for function in functions for kernel in function.kernels]
     names = _module_names(setting, functions, kernels)
     counts = ", ".join(f"{k.name.lstrip('_')} {k.ir.operations}" for k in kernels)
-    used = {name for f in functions for name in f.uses}
-    used.update(name for k in kernels for name in k.uses)
-    used.add("checked")
+    calls = {"checked", *(name for f in functions for name in f.uses)}
+    formulas = {name for k in kernels for name in k.uses}
     exported = sorted((*_CONSTANTS, *(f.name for f in functions)), key=_all_order)
     aliases = ""
     if names["PARAMETERS"] != "PARAMETERS":
@@ -124,7 +124,8 @@ def case_text(
             subsequent_indent="# ",
         ),
         "docstring": module_docstring(setting, model, source),
-        "imports": _imports(used, names),
+        "typing": "TYPE_CHECKING" + (", Any" if any("Any" in f.returns for f in functions) else ""),
+        "imports": _imports(calls, formulas, names),
         "exported": "\n".join(f'    "{name}",' for name in exported),
         "relations": _tuple_text(setting.relations, "RELATIONS: tuple[str, ...] = "),
         "order": str(setting.case.order),
@@ -156,17 +157,21 @@ def _module_names(
     return {name: fresh(name, arguments) for name in dict.fromkeys(wanted)}
 
 
-def _imports(used: set[str], names: dict[str, str]) -> str:
-    parts = []
-    for name in sorted(used):
-        alias = names.get(name, name)
-        parts.append(name)
-        if alias != name:
-            parts.append(f"{name} as {alias}")
-    line = f"from .._runtime import {', '.join(parts)}"
+def _imports(calls: set[str], formulas: set[str], names: dict[str, str]) -> str:
+    """What functions call, under a name that no argument hides, and what formulas call."""
+    plain = sorted(formulas | {name for name in calls if names[name] == name})
+    statements = [_import(plain)] if plain else []
+    statements += [
+        f"from .._runtime import {name} as {names[name]}" for name in calls if names[name] != name
+    ]
+    return "\n".join(sorted(statements, key=lambda text: re.findall(r"\w+", text)[3]))
+
+
+def _import(names: list[str]) -> str:
+    line = f"from .._runtime import {', '.join(names)}"
     if len(line) <= LINE_LENGTH:
         return line
-    return "from .._runtime import (\n" + "\n".join(f"    {part}," for part in parts) + "\n)"
+    return "from .._runtime import (\n" + "\n".join(f"    {name}," for name in names) + "\n)"
 
 
 def _tuple_text(items: Sequence[str], head: str) -> str:

@@ -60,8 +60,8 @@ def module_docstring(setting: Setting, model: str, source: str) -> str:
     if setting.poles:
         parts.append(
             paragraph(
-                "NaN where a divisor vanishes, which is a further resonance and a case of its "
-                f"own: {', '.join(setting.poles)}.",
+                "No number, NaN for growth rates and edges, where a divisor vanishes, which is a "
+                f"further resonance and a case of its own: {', '.join(setting.poles)}.",
                 0,
             )
         )

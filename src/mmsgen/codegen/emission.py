@@ -7,10 +7,12 @@ from pathlib import Path, PurePath
 
 from ..errors import EmissionError
 from ..expansion import Expansion
+from ..files import write_atomically
 from .boundaries import boundary_function
 from .case_module import case_text
 from .growth import growth_function
 from .kernels import EmittedFunction
+from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
 from .model_module import PACKAGE_TEXT, model_text
 from .modulation import modulation_function
@@ -18,7 +20,6 @@ from .naming import check_module_name
 from .reference import reference_text
 from .setting import Setting
 from .speeds import speed_function
-from .writing import differing, remove_files, write_files
 
 __all__ = ["emitted_functions", "generate", "render", "runtime_text"]
 
@@ -87,13 +88,16 @@ def render(
     check_module_name(package, "package")
     check_module_name(model, "model")
     settings = _settings(cases)
+    kinds = kinds_of(settings)
     origin = _origin(derivation)
     files = {
         f"{package}/__init__.py": PACKAGE_TEXT,
         f"{package}/_runtime.py": runtime_text(),
     }
     solved = [(setting, emitted_functions(setting)) for setting in settings]
-    files[f"{package}/{model}/__init__.py"] = model_text(solved, package, model, origin, source)
+    files[f"{package}/{model}/__init__.py"] = model_text(
+        solved, kinds, package, model, origin, source
+    )
     for setting, functions in solved:
         path = f"{package}/{model}/{setting.name}"
         files[f"{path}.py"] = case_text(setting, functions, model, origin, source)
@@ -143,8 +147,8 @@ def generate(
 ) -> tuple[Path, ...]:
     """Emit plain NumPy functions for solved cases.
 
-    Every file is written whole or not at all, and nothing is written if any case fails. The table
-    of the model names the cases of this call.
+    Nothing is written if any case fails, every file is written whole or not at all, and one that
+    has not changed is left alone. The table of the model names the cases of this call.
 
     Parameters
     ----------
@@ -174,13 +178,20 @@ def generate(
         del files[shared]
     stale = _stale(root / package / model, files) if prune else ()
     if update:
-        write_files(root, files)
-        remove_files(stale)
+        for path, text in files.items():
+            write_atomically(root / path, text)
+        for old in stale:
+            old.unlink()
     else:
-        wrong = (*differing(root, files), *(p.relative_to(root).as_posix() for p in stale))
+        wrong = [path for path, text in files.items() if not _holds(root / path, text)]
+        wrong += [p.relative_to(root).as_posix() for p in stale]
         if wrong:
             raise EmissionError(f"not what is emitted now: {', '.join(wrong)}; generate them again")
     return tuple(root / path for path in files)
+
+
+def _holds(path: Path, text: str) -> bool:
+    return path.is_file() and path.read_bytes() == text.encode()
 
 
 def _stale(folder: Path, files: Sequence[str] | dict[str, str]) -> tuple[Path, ...]:

@@ -57,6 +57,7 @@ def _computed(expression: sp.Expr, values: Mapping[str, Any], known: dict[sp.Exp
 
 
 _FUNCTIONS = {
+    sp.Abs: abs,
     sp.conjugate: mpmath.conj,
     sp.exp: mpmath.exp,
     sp.cos: mpmath.cos,

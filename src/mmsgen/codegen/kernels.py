@@ -16,6 +16,7 @@ RUNTIME = (
     "checked",
     "checked_amplitudes",
     "conservative_growth",
+    "defined",
     "evaluate",
     "evaluate_array",
     "evaluate_pair",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from string import Template
 
 from .._version import __version__
@@ -40,8 +40,8 @@ __all__ = [
 $exported
 ]
 
-#: module name -> relation, order, coordinates, whether the case can be unstable (None: that
-#: depends on the parameters), why, and the functions of the module
+#: module name -> relation, kind, order, coordinates that it couples, whether the case can be
+#: unstable (None: that depends on the parameters), why, and the functions of the module
 CASES: dict[str, dict[str, Any]] = {
 $cases
 }
@@ -64,6 +64,7 @@ _REASON = 400
 
 def model_text(
     cases: Sequence[tuple[Setting, Sequence[EmittedFunction]]],
+    kinds: Mapping[str, tuple[str, tuple[str, ...]]],
     package: str,
     model: str,
     derivation: str,
@@ -84,16 +85,22 @@ def model_text(
         "first": first,
         "source": note.replace("\\", "\\\\").replace('"""', "'''"),
         "exported": "\n".join(f"    {_quoted(name)}," for name in exported),
-        "cases": "\n".join(_entry(name, setting, fs) for name, setting, fs in entries),
+        "cases": "\n".join(_entry(name, setting, fs, kinds[name]) for name, setting, fs in entries),
     }
     return fill(_MODEL, keys)
 
 
-def _entry(name: str, setting: Setting, functions: Sequence[EmittedFunction]) -> str:
+def _entry(
+    name: str,
+    setting: Setting,
+    functions: Sequence[EmittedFunction],
+    kind: tuple[str, tuple[str, ...]],
+) -> str:
     rows = [
         ("relation", _words(" and ".join(setting.relations) or "no resonance")),
+        ("kind", _quoted(kind[0])),
         ("order", str(setting.case.order)),
-        ("coordinates", _strings(setting.coordinates)),
+        ("coordinates", _strings(kind[1])),
         ("unstable", str(setting.unstable)),
         ("reason", _words(setting.reason)),
         ("functions", _strings([f.name for f in functions])),

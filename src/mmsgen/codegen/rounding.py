@@ -107,6 +107,8 @@ def _evaluate(expression: sp.Expr, known: Mapping[sp.Symbol, Rounded]) -> Rounde
         return reduce(mul, inner)
     if expression.is_Pow:
         return _power(inner[0], expression.exp)
+    if isinstance(expression, sp.Abs):
+        return Rounded(abs(inner[0].value), inner[0].error)
     if isinstance(expression, sp.conjugate):
         return Rounded(mpmath.conj(inner[0].value), inner[0].error)
     if expression.is_number:
