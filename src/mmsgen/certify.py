@@ -75,10 +75,19 @@ def certify(
     table = named_values(case.parameters, values)
     floats = {name: float(v) for name, v in table.items()}
     fits = [_exponent_fit(case, module, floats, epsilons)]
-    if case.slow_flow.stability.unstable and case.relations:
+    if _has_zone(case, module, floats):
         fits.append(_edge_fit(case, module, floats, epsilons))
     zones = (_zone_at(case, module, numbers),) if numbers and len(fits) > 1 else ()
     return Certificate.of_case(case, floats, tuple(fits), zones)
+
+
+def _has_zone(case: Expansion, module: Any, values: Mapping[str, float]) -> bool:
+    """Whether the emitted functions give a zone of finite width at the values."""
+    if not case.relations or not hasattr(module, "boundaries"):
+        return False
+    slow, _ = scaled_values(case, values, 1.0)
+    edges = module.boundaries(**_arguments(module.boundaries, slow))
+    return bool(np.all(np.isfinite(edges)))
 
 
 def scaled_values(

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 from rich.console import Console
+from rich.status import Status
 
 from .errors import MmsgenError
 from .pipeline import demand, find_project
@@ -38,8 +39,12 @@ def make(
         different = False
         for name in derivations or project.names():
             start = time.perf_counter()
-            with console.status(f"{name}: deriving, certifying, executing the notebook"):
-                outcome = make_one(project, name, check=check)
+            with console.status(f"{name}: starting") as status:
+
+                def show(cell: int, cells: int, name: str = name, status: Status = status) -> None:
+                    status.update(f"{name}: cell {cell + 1} of {cells}")
+
+                outcome = make_one(project, name, check=check, progress=show)
             word = "differ" if check else "changed"
             seconds = time.perf_counter() - start
             console.print(f"{name}: {len(outcome.changed)} files {word}, {seconds:.0f} s")

@@ -20,15 +20,19 @@ from .certify import certify
 from .codegen import case_name, render
 from .errors import CertificateError
 from .files import write_atomically
+from .keeping import certificate_key, kept
 from .loading import load_files
 
 if TYPE_CHECKING:
     from .expansion import Expansion
 
-__all__ = ["STAGE", "Emission", "publish"]
+__all__ = ["KEPT", "STAGE", "Emission", "publish"]
 
 STAGE = "MMSGEN_STAGE"
 """Environment variable: the folder in which the pipeline expects an emission."""
+
+KEPT = "MMSGEN_KEPT"
+"""Environment variable: the folder in which certificates are kept between runs."""
 
 
 @dataclass(frozen=True)
@@ -70,10 +74,24 @@ class Emission:
         """The certificate of every case, by the name of its module."""
         names = [case_name(case) for case in self.cases]
         modules = load_files(self._rendered, names)
+        folder = os.environ.get(KEPT)
         return {
-            name: certify(case, self.samples(case), functions=modules[name], numbers=self.numbers)
+            name: self._certificate(case, modules[name], Path(folder) if folder else None)
             for name, case in zip(names, self.cases, strict=True)
         }
+
+    def _certificate(self, case: Expansion, module: Any, folder: Path | None) -> Certificate:
+        """The certificate of one case, kept in a folder if there is one."""
+        samples = {str(getattr(k, "name", k)): float(v) for k, v in self.samples(case).items()}
+        numbers = {str(getattr(k, "name", k)): float(v) for k, v in self.numbers.items()}
+        own = f"{case_name(case)}.py"
+        texts = {
+            path: text
+            for path, text in self._rendered.items()
+            if Path(path).name == own or Path(path).name.startswith("_")
+        }
+        key = certificate_key(texts, samples, numbers)
+        return kept(folder, key, lambda: certify(case, samples, functions=module, numbers=numbers))
 
     @property
     def failures(self) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import io
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -28,7 +29,12 @@ TIMEOUT = 600
 """Seconds for one cell."""
 
 
-def execute(script: Path, environment: dict[str, str], folder: Path) -> Any:
+def execute(
+    script: Path,
+    environment: dict[str, str],
+    folder: Path,
+    progress: Callable[[int, int], None] | None = None,
+) -> Any:
     """Execute a percent-format script as a notebook.
 
     Parameters
@@ -38,6 +44,8 @@ def execute(script: Path, environment: dict[str, str], folder: Path) -> Any:
         Environment of the kernel.
     folder : pathlib.Path
         Its working directory.
+    progress : callable, optional
+        Called before each cell with its index and the number of all cells.
 
     Returns
     -------
@@ -63,6 +71,8 @@ def execute(script: Path, environment: dict[str, str], folder: Path) -> Any:
         coalesce_streams=True,
         resources={"metadata": {"path": str(folder)}},
     )
+    if progress is not None:
+        client.on_cell_start = lambda cell, cell_index: progress(cell_index, len(notebook.cells))
     try:
         client.execute(env=environment)
     except CellExecutionError as error:

@@ -14,16 +14,20 @@ from __future__ import annotations
 import json
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
-from .emission import STAGE
+from .emission import KEPT, STAGE
 from .errors import CertificateError, MmsgenError
 from .files import write_atomically
 from .notebook import execute, images_agree, keep_images, text_of
 
 __all__ = ["Outcome", "Project", "make"]
+
+
+INLINE = "module://matplotlib_inline.backend_inline"
+"""The backend that puts figures into notebooks."""
 
 
 @dataclass(frozen=True)
@@ -91,7 +95,13 @@ class Outcome:
     failures: tuple[str, ...]
 
 
-def make(project: Project, name: str, *, check: bool = False) -> Outcome:
+def make(
+    project: Project,
+    name: str,
+    *,
+    check: bool = False,
+    progress: Callable[[int, int], None] | None = None,
+) -> Outcome:
     """Run one derivation and bring what it makes up to date.
 
     Parameters
@@ -101,6 +111,8 @@ def make(project: Project, name: str, *, check: bool = False) -> Outcome:
         Of the derivation.
     check : bool
         Only compare; write nothing.
+    progress : callable, optional
+        Called with the number of cells executed and the number of all.
 
     Raises
     ------
@@ -110,10 +122,15 @@ def make(project: Project, name: str, *, check: bool = False) -> Outcome:
     script = project.script(name)
     with tempfile.TemporaryDirectory(prefix="mmsgen-") as folder:
         stage = Path(folder)
-        environment = {**os.environ, STAGE: str(stage), "MPLBACKEND": _inline()}
+        environment = {
+            **os.environ,
+            STAGE: str(stage),
+            KEPT: str(project.root / "build" / "certificates"),
+            "MPLBACKEND": INLINE,
+        }
         search = [str(project.derivations), environment.get("PYTHONPATH", "")]
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, search))
-        notebook = execute(script, environment, project.derivations)
+        notebook = execute(script, environment, project.derivations, progress)
         target = script.with_suffix(".ipynb")
         if target.is_file():
             import nbformat
@@ -137,10 +154,6 @@ def make(project: Project, name: str, *, check: bool = False) -> Outcome:
                 path.unlink()
     paths = tuple(str(p.relative_to(project.root)) for p in (*changed, *stale))
     return Outcome(name, paths, tuple(emission["failures"]))
-
-
-def _inline() -> str:
-    return "module://matplotlib_inline.backend_inline"
 
 
 def _differs(path: Path, content: str | bytes) -> bool:
