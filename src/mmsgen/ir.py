@@ -61,13 +61,20 @@ class IR:
     def canonical(self) -> str:
         """Arguments and outputs as text that depends on their mathematics alone."""
         arguments = ", ".join(sp.srepr(s) for s in self.arguments)
-        lines = (f"{name} = {sp.srepr(expression)}" for name, expression in self.source)
+        lines = (f"{name} = {_canonical(expression)}" for name, expression in self.source)
         return "\n".join((f"{self.name}({arguments})", *lines))
 
     @cached_property
     def digest(self) -> str:
         """SHA-256 of `canonical`."""
         return sha256(self.canonical.encode()).hexdigest()
+
+
+def _canonical(expression: sp.Expr) -> str:
+    """An expression as a tree; SymPy keeps the arguments of sums and products sorted."""
+    if not expression.args:
+        return str(expression)
+    return f"{expression.func.__name__}({','.join(map(_canonical, expression.args))})"
 
 
 def _operations(expression: sp.Expr) -> int:

@@ -14,7 +14,7 @@ from ..errors import EmissionError
 from ..ir import fresh
 from ..parameters import Parameter
 from .docstrings import domain_of, function_docstring, module_docstring
-from .kernels import EmittedFunction, Kernel
+from .kernels import RUNTIME, EmittedFunction, Kernel
 from .numpy_target import LINE_LENGTH, kernel_text, wrapped
 from .setting import Setting
 
@@ -160,18 +160,22 @@ def _module_names(
 def _imports(calls: set[str], formulas: set[str], names: dict[str, str]) -> str:
     """What functions call, under a name that no argument hides, and what formulas call."""
     plain = sorted(formulas | {name for name in calls if names[name] == name})
-    statements = [_import(plain)] if plain else []
-    statements += [
-        f"from .._runtime import {name} as {names[name]}" for name in calls if names[name] != name
-    ]
-    return "\n".join(sorted(statements, key=lambda text: re.findall(r"\w+", text)[3]))
+    statements = []
+    for module in sorted(set(RUNTIME.values())):
+        own = [name for name in plain if RUNTIME[name] == module]
+        aliases = [n for n in calls if names[n] != n and RUNTIME[n] == module]
+        lines = [_import(module, own)] if own else []
+        lines += [f"from ..{module} import {name} as {names[name]}" for name in aliases]
+        statements += sorted(lines, key=lambda text: re.findall(r"\w+", text)[3])
+    return "\n".join(statements)
 
 
-def _import(names: list[str]) -> str:
-    line = f"from .._runtime import {', '.join(names)}"
+def _import(module: str, names: list[str]) -> str:
+    line = f"from ..{module} import {', '.join(names)}"
     if len(line) <= LINE_LENGTH:
         return line
-    return "from .._runtime import (\n" + "\n".join(f"    {name}," for name in names) + "\n)"
+    inner = "\n".join(f"    {name}," for name in names)
+    return f"from ..{module} import (\n{inner}\n)"
 
 
 def _tuple_text(items: Sequence[str], head: str) -> str:

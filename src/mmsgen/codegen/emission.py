@@ -11,7 +11,7 @@ from ..files import write_atomically
 from .boundaries import boundary_function
 from .case_module import case_text
 from .growth import growth_function
-from .kernels import EmittedFunction
+from .kernels import RUNTIME, EmittedFunction
 from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
 from .model_module import PACKAGE_TEXT, model_text
@@ -21,7 +21,7 @@ from .reference import reference_text
 from .setting import Setting
 from .speeds import speed_function
 
-__all__ = ["emitted_functions", "generate", "render", "runtime_text"]
+__all__ = ["emitted_functions", "generate", "render"]
 
 Cases = Expansion | Iterable[Expansion]
 
@@ -47,11 +47,6 @@ def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
         characteristic_function(setting),
         flow,
     )
-
-
-def runtime_text() -> str:
-    """The module that all emitted modules share."""
-    return Path(__file__).with_name("_runtime.py").read_text("utf-8")
 
 
 def render(
@@ -92,7 +87,10 @@ def render(
     origin = _origin(derivation)
     files = {
         f"{package}/__init__.py": PACKAGE_TEXT,
-        f"{package}/_runtime.py": runtime_text(),
+        **{
+            f"{package}/{name}.py": Path(__file__).with_name(f"{name}.py").read_text("utf-8")
+            for name in sorted(set(RUNTIME.values()))
+        },
     }
     solved = [(setting, emitted_functions(setting)) for setting in settings]
     files[f"{package}/{model}/__init__.py"] = model_text(

@@ -11,25 +11,28 @@ from ..parameters import Parameter
 
 __all__ = ["RUNTIME", "EmittedFunction", "Kernel", "Reference"]
 
-#: what emitted modules may use of the code that they share
-RUNTIME = (
-    "checked",
-    "checked_amplitudes",
-    "conservative_growth",
-    "defined",
-    "evaluate",
-    "evaluate_array",
-    "evaluate_pair",
-    "explicit_edges",
-    "growing",
-    "implicit_edges",
-    "largest",
-    "matrix_growth",
-    "multiply_out",
-    "no_edges",
-    "quadratic_growth",
-    "zone",
-)
+#: what emitted modules may use of the code that they share: name -> module
+RUNTIME = {
+    **dict.fromkeys(("explicit_edges", "implicit_edges", "zone"), "_edges"),
+    **dict.fromkeys(
+        (
+            "checked",
+            "checked_amplitudes",
+            "conservative_growth",
+            "defined",
+            "evaluate",
+            "evaluate_array",
+            "evaluate_pair",
+            "growing",
+            "largest",
+            "matrix_growth",
+            "multiply_out",
+            "no_edges",
+            "quadratic_growth",
+        ),
+        "_runtime",
+    ),
+}
 
 
 @dataclass(frozen=True)

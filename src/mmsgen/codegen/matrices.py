@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import product
 from typing import Any
 
 import mpmath
 import sympy as sp
 
+from ..field import Coefficient
 from ..ir import IR, compute_ir, fresh
 from .exact import exact
 from .kernels import EmittedFunction, Kernel, Reference
@@ -24,26 +26,28 @@ def matrix_function(setting: Setting) -> EmittedFunction:
     symbols = [p.symbol for p in setting.parameters]
     out = fresh("out", [p.name for p in setting.parameters])
     outputs: dict[str, sp.Expr] = {}
-    offset = 0
+    entries: dict[tuple[int, int], Coefficient] = {}
+    n = 0
     for block in linear.blocks:
-        for i, row in enumerate(block.entries):
-            for j, c in enumerate(row):
-                for part, value in zip(("real", "imag"), setting.parts(c), strict=True):
-                    if value != 0:
-                        outputs[f"{out}[..., {offset + i}, {offset + j}].{part}"] = value
-        offset += len(block.nodes)
-    n = offset
+        size = range(len(block.nodes))
+        entries |= {(n + i, n + j): block.entries[i][j] for i, j in product(size, repeat=2)}
+        n += len(block.nodes)
+    for (i, j), c in entries.items():
+        for part, value in zip(("real", "imag"), setting.parts(c), strict=True):
+            if value != 0:
+                outputs[f"{out}[..., {i}, {j}].{part}"] = value
     ir = compute_ir(f"{setting.name}.slow_flow_matrix", symbols, outputs)
 
     def reference(point: Mapping[str, Any]) -> Reference:
         arguments = values_of(point, setting.parameters)
         inner = rounded(ir, arguments)
-        values = [exact(e, arguments) for e in linear.matrix]
-        errors = []
-        for i in range(n):
-            for j in range(n):
-                parts = (inner.get(f"{out}[..., {i}, {j}].{part}") for part in ("real", "imag"))
-                errors.append(mpmath.fsum(p.error for p in parts if p is not None))
+        values, errors = [], []
+        for i, j in product(range(n), repeat=2):
+            values.append(
+                exact(setting.shown(entries[i, j]), arguments) if (i, j) in entries else 0
+            )
+            parts = (inner.get(f"{out}[..., {i}, {j}].{part}") for part in ("real", "imag"))
+            errors.append(mpmath.fsum(p.error for p in parts if p is not None))
         return Reference(arguments, (n, n), tuple(values), tuple(errors))
 
     return EmittedFunction(
