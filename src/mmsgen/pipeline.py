@@ -125,7 +125,8 @@ def make(
         environment = {
             **os.environ,
             STAGE: str(stage),
-            KEPT: str(project.root / "build" / "certificates"),
+            # What is compared has to be fresh.
+            KEPT: "" if check else str(project.root / "build" / "certificates"),
             "MPLBACKEND": INLINE,
         }
         search = [str(project.derivations), environment.get("PYTHONPATH", "")]
