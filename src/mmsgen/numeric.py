@@ -52,7 +52,7 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
             break
         for name, definition in ready.items():
             symbols = sorted(definition.free_symbols, key=str)
-            function = sp.lambdify(symbols, definition, "numpy")
+            function = sp.lambdify(symbols, definition, "numpy", dummify=True)
             table[name] = np.asarray(function(*(table[str(s)] for s in symbols)), dtype=float)
             del pending[name]
     return table
@@ -73,7 +73,7 @@ class Evaluator:
         present = set().union(*(e.free_symbols for e in expressions))
         self.needed = tuple(p for p in parameters if p.symbol in present)
         self._function = sp.lambdify(
-            [p.symbol for p in self.needed], list(expressions), "numpy", cse=True
+            [p.symbol for p in self.needed], list(expressions), "numpy", cse=True, dummify=True
         )
 
     def __call__(self, values: Mapping[Any, Any]) -> list[Any]:
