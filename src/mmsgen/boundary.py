@@ -164,12 +164,12 @@ class Stability:
 
     def boundaries(self, values: Mapping[Any, Any]) -> Any:
         """Both edges for numbers; NaN where there is no unstable interval."""
-        numbers = dict(values)
+        shape = np.broadcast_shapes(*(np.shape(v) for v in values.values()))
         if self.critical is None:
-            shapes = [np.shape(v) for v in numbers.values()]
-            return np.full((*np.broadcast_shapes(*shapes), 2), np.nan)
+            return np.full((*shape, 2), np.nan)
         with np.errstate(divide="ignore", invalid="ignore"):
-            return unstable_zone([np.real(c) for c in self._criterion(numbers)])
+            zones = unstable_zone([np.real(c) for c in self._criterion(values)])
+        return np.broadcast_to(zones, (*shape, 2)).copy()
 
     @cached_property
     def _criterion(self) -> Evaluator:

@@ -150,7 +150,10 @@ class LinearFlow:
             matrix = flat.reshape(*flat.shape[:-1], n, n).astype(complex)
             rates.append(np.linalg.eigvals(matrix).real.max(axis=-1))
             start += n * n
-        return np.max(rates, axis=0)
+        given = (np.shape(v) for v in values.values())
+        return np.broadcast_to(
+            np.max(np.broadcast_arrays(*rates), axis=0), np.broadcast_shapes(*given)
+        )[()]
 
 
 def linear_flow(flow: SlowFlow) -> LinearFlow:

@@ -147,8 +147,12 @@ class SlowFlow:
                     half = (real_part(p) + sp.I * imaginary_part(p)) / 2
                     product *= half ** exponents[2 * i]
                     product *= sp.conjugate(half) ** exponents[2 * i + 1]
-                turned = sp.expand(product * sp.exp(sp.I * case.constant_phase(key)), complex=True)
-                x, y = turned.as_real_imag()
+                x, y = sp.expand(product).as_real_imag()
+                angle = case.constant_phase(key)
+                x, y = (
+                    x * sp.cos(angle) - y * sp.sin(angle),
+                    x * sp.sin(angle) + y * sp.cos(angle),
+                )
                 re, im = case.symbols.real_imaginary(self.rates[j][key])
                 real.append(re * x - im * y)
                 imaginary.append(re * y + im * x)
