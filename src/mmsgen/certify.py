@@ -20,6 +20,7 @@ from . import floquet
 from .certificate import Certificate, Fit, Zone, fit_exponent
 from .errors import CertificateError
 from .loading import load
+from .motion import RTOL, exact_motion, first_order_system, reconstruction, slow_motion
 from .numeric import Evaluator, named_values
 
 if TYPE_CHECKING:
@@ -41,6 +42,8 @@ def certify(
     functions: Any = None,
     epsilons: Sequence[float] = EPSILONS,
     numbers: Mapping[Any, Any] | None = None,
+    amplitudes: Sequence[complex] | None = None,
+    span: float = 1.0,
 ) -> Certificate:
     """Compare the emitted functions of a case with Floquet theory as ε → 0.
 
@@ -59,6 +62,10 @@ def certify(
     numbers : mapping, optional
         Values of the independent parameters at which, at ε = 1, the critical speeds are set beside
         Floquet's; for a case that can be unstable.
+    amplitudes : sequence of complex, optional
+        Starting values of B_j at ε = 1, for a slow flow that is nonlinear or forced.
+    span : float
+        Time over which motions are compared, in s, at ε = 1; it grows like 1/ε.
 
     Returns
     -------
@@ -74,6 +81,11 @@ def certify(
     module = load(case) if functions is None else functions
     table = named_values(case.parameters, values)
     floats = {name: float(v) for name, v in table.items()}
+    if not case.slow_flow.is_linear:
+        # Motions beat, and come into their asymptotic range later than exponents do.
+        smaller = epsilons if epsilons is not EPSILONS else EPSILONS[1:]
+        fit = _motion_fit(case, module, floats, smaller, amplitudes, span)
+        return Certificate.of_case(case, floats, (fit,))
     fits = [_exponent_fit(case, module, floats, epsilons)]
     if _has_zone(case, module, floats):
         fits.append(_edge_fit(case, module, floats, epsilons))
@@ -208,6 +220,46 @@ def _edge_fit(
         errors.append(max(abs(a - b) for a, b in zip(edges, zone[0], strict=True)))
         floors.append(zone[1])
     return fit_exponent("edges of the zone", case.order + 1, epsilons, errors, floors)
+
+
+def _motion_fit(
+    case: Expansion,
+    module: Any,
+    values: Mapping[str, float],
+    epsilons: Sequence[float],
+    amplitudes: Sequence[complex] | None,
+    span: float,
+) -> Fit:
+    """The largest distance between reconstructed and exact motions at times of order 1/ε."""
+    if amplitudes is None or len(amplitudes) != len(case.coordinates):
+        raise CertificateError(
+            f"a nonlinear slow flow is certified by motions: give {len(case.coordinates)} "
+            "starting amplitudes"
+        )
+    weights = np.array([float(w) for w in case.weak.scaled.amplitude])
+    eom = case.weak.scaled.eom
+    n, errors, floors = len(weights), [], []
+    for epsilon in epsilons:
+        slow, exact = scaled_values(case, values, epsilon)
+        shape = reconstruction(case, slow)
+        end = span / epsilon
+        # The last five periods of the slowest oscillation: the maximum then hides no phase.
+        window = 10 * np.pi / np.min(np.abs(shape.rates[:n]))
+        times = np.concatenate([[0.0], np.linspace(end, end + window, 200)])
+        start = epsilon**weights * np.asarray(amplitudes, dtype=complex)
+        own = _arguments(module.slow_flow, {**slow, "amplitudes": 0.0})
+        own.pop("amplitudes", None)
+        motion = slow_motion(module, start, times, own)
+        states = shape(times, motion)
+        known = {p.name: exact[p.name] for p in eom.parameters if p.name in exact}
+        derivative = first_order_system(eom, known)
+        reference = exact_motion(derivative, states[:, 0], times, float(np.abs(start).max()))
+        gap = np.abs(states[:n] - reference[:n])[:, 1:].max(axis=1)
+        errors.append(float(np.max(gap / epsilon**weights)))
+        # An integration errs by its tolerance in every radian, and phases add that up.
+        floors.append(RTOL * end * float(np.max(np.abs(shape.rates))))
+    quantity = "motions at times of order 1/ε"
+    return fit_exponent(quantity, case.order, epsilons, errors, floors)
 
 
 def _zone_at(case: Expansion, module: Any, numbers: Mapping[Any, Any]) -> Zone:
