@@ -235,8 +235,8 @@ class _Powers:
         x = self._power(base, 1)
         if n == 2:
             return self._name(base, n, sp.Pow(x, 2))
-        half = n // 2
-        left, right = self._power(base, half), self._power(base, n - half)
+        high = 1 << ((n - 1).bit_length() - 1)  # the highest power of two below n
+        left, right = self._power(base, high), self._power(base, n - high)
         product = sp.Pow(left, 2) if left == right else left * right
         return self._name(base, n, product)
 

@@ -9,7 +9,7 @@ from typing import Any
 from ..ir import IR
 from ..parameters import Parameter
 
-__all__ = ["RUNTIME", "EmittedFunction", "Kernel", "Reference"]
+__all__ = ["AMPLITUDES", "RUNTIME", "EmittedFunction", "Kernel", "Reference"]
 
 #: what emitted modules may use of the code that they share: name -> module
 RUNTIME = {
@@ -33,6 +33,10 @@ RUNTIME = {
         "_runtime",
     ),
 }
+
+
+#: where a point holds the amplitudes: no parameter can have this name
+AMPLITUDES = "(amplitudes)"
 
 
 @dataclass(frozen=True)
@@ -66,17 +70,20 @@ class Reference:
     Attributes
     ----------
     arguments : mapping
-        Keyword → number that a double holds exactly; amplitudes as a list.
+        Keyword → number that a double holds exactly.
     shape : tuple of int
         Of the values; the last axis of `values` counts fastest.
     values, errors : tuple
         Of mpmath numbers.
+    amplitudes : tuple
+        Those that the function takes before its keywords.
     """
 
     arguments: Mapping[str, Any]
     shape: tuple[int, ...]
     values: tuple[Any, ...]
     errors: tuple[Any, ...]
+    amplitudes: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)

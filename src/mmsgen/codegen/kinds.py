@@ -22,24 +22,30 @@ def kinds_of(settings: Sequence[Setting]) -> dict[str, tuple[str, tuple[str, ...
     tables: dict[tuple[int, int], tuple[Resonance, ...]] = {}
     result = {}
     for setting in settings:
-        scaled, order = setting.case.weak.scaled, setting.case.order
+        found = [_found(setting, relation, tables) for relation in setting.case.relations]
+        names = [r.kind if r is not None else "as given" for r in found]
+        coupled = {q for r in found for q in (setting.coordinates if r is None else r.coordinates)}
+        chosen = tuple(q for q in setting.coordinates if q in coupled or not found)
+        result[setting.name] = " and ".join(names) or "nonresonant", chosen
+    return result
+
+
+def _found(
+    setting: Setting, relation: Relation, tables: dict[tuple[int, int], tuple[Resonance, ...]]
+) -> Resonance | None:
+    """A relation in the table to order two, where most appear, or to the order of the case."""
+    scaled = setting.case.weak.scaled
+    for order in dict.fromkeys((2, max(2, setting.case.order))):
         key = id(scaled), order
-        if setting.case.relations and key not in tables:
+        if key not in tables:
             try:
                 tables[key] = tuple(scaled.resonances(order))
             except MmsgenError:  # the system has no non-resonant case, so no table
                 tables[key] = ()
-        kinds, coordinates = [], set()
-        for relation in setting.case.relations:
-            found = next((r for r in tables[key] if _same(relation, r.relation)), None)
-            kinds.append("as given" if found is None else found.kind)
-            coordinates |= set(setting.coordinates if found is None else found.coordinates)
-        chosen = tuple(q for q in setting.coordinates if q in coordinates)
-        result[setting.name] = (
-            " and ".join(kinds) or "nonresonant",
-            chosen if kinds else setting.coordinates,
-        )
-    return result
+        for resonance in tables[key]:
+            if _same(relation, resonance.relation):
+                return resonance
+    return None
 
 
 def _same(relation: Relation, other: sp.Eq) -> bool:

@@ -26,7 +26,8 @@ _MODEL = Template('''\
 
 CASES says what there is; a case is imported when it is used:
 
-    from $package.$model import $first
+    from $package import $model
+    $model.$first
 $source"""
 
 from __future__ import annotations

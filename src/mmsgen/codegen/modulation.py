@@ -10,7 +10,7 @@ import sympy as sp
 from ..ir import compute_ir, fresh
 from ..parameters import Parameter
 from .exact import exact
-from .kernels import EmittedFunction, Kernel, Reference
+from .kernels import AMPLITUDES, EmittedFunction, Kernel, Reference
 from .rounding import rounded
 from .setting import Setting, values_of
 
@@ -34,13 +34,11 @@ def modulation_function(setting: Setting) -> EmittedFunction:
 
     def reference(point: Mapping[str, Any]) -> Reference:
         own = values_of(point, arguments)
-        given = dict(zip((a.name for a in case.amplitudes), point["amplitudes"], strict=True))
+        given = dict(zip((a.name for a in case.amplitudes), point[AMPLITUDES], strict=True))
         inner = rounded(ir, {**own, **_for_columns(columns, given)})
         values = [exact(rate, {**own, **given}) for rate in setting.rates.values()]
         errors = [inner[key].error if key in inner else 0 for key in _keys(out, n)]
-        return Reference(
-            {"amplitudes": list(given.values()), **own}, (n,), tuple(values), tuple(errors)
-        )
+        return Reference(own, (n,), tuple(values), tuple(errors), tuple(given.values()))
 
     frame = (
         "In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME."

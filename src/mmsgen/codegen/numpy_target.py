@@ -217,6 +217,8 @@ def _call(statement: str) -> list[str]:
     whole = "    " + statement
     if len(whole) <= LINE_LENGTH:
         return [whole]
+    if statement.partition(",")[0].endswith(")") or "(" not in statement.partition(",")[0]:
+        statement = f"return ({statement.removeprefix('return ')},)"
     head, _, rest = statement.partition("(")
     inner, depth, item, items = rest.rsplit(")", 1)[0], 0, "", []
     for ch in inner:

@@ -11,7 +11,7 @@ import mpmath
 from ..parameters import Parameter
 from .boundaries import boundary_parameters, boundary_values
 from .docstrings import domain_of
-from .kernels import EmittedFunction, Kernel
+from .kernels import AMPLITUDES, EmittedFunction, Kernel
 from .setting import Setting, values_of
 
 __all__ = ["points_of", "speed_points_of"]
@@ -46,9 +46,14 @@ def _assignments(
     scaled = setting.case.weak.scaled
     orders = {str(s.name): order for s, order in scaled.orders}
     known = {str(s.name) for s in scaled.frequencies}
-    # What a frequency is made of is one itself if it has the unit of one.
-    units = {p.unit for p in parameters if p.name in known}
-    frequencies = [p for p in parameters if p.name in known or (p.unit in units and p.unit != "1")]
+    # What a frequency is made of is one itself if it has the unit of one and is not small.
+    units = {p.unit for p in parameters if p.name in known} - {"1"}
+    frequencies = [
+        p
+        for p in parameters
+        if p.name in known
+        or (p.unit in units and not orders.get(p.name) and domain_of(p) == "positive")
+    ]
     others = [p for p in parameters if p not in frequencies]
     fixed = {p.name: _other_value(p, k, i, orders.get(p.name, 0)) for k, p in enumerate(others)}
     for values in _frequency_values(len(frequencies), i):
@@ -69,7 +74,9 @@ def _point(setting: Setting, kernel: Kernel | None, i: int) -> dict[str, Any]:
             p.name: mpmath.mpf((-1) ** i * (2 * k + 3)) / 64
             for k, p in enumerate(setting.detunings)
         }
-        values |= {"amplitudes": _amplitudes(setting, i), str(setting.time.name): mpmath.mpf(i + 1)}
+        values[AMPLITUDES] = _amplitudes(setting, i)
+        if setting.flow.frame is None:
+            values[str(setting.time.name)] = mpmath.mpf(i + 1)
         first = first or values
         if not _sensible(setting, values):
             continue

@@ -26,9 +26,10 @@ STORED = 25
 def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> str:
     """The JSON file of a case.
 
-    For each function a list of points: ``arguments``; ``shape``; ``values``, real ones as decimal
-    strings and complex ones as pairs of them, flat, the last axis fastest; ``errors``, bounds of
-    the absolute error that the emitted formula makes in double precision.
+    For each function a list of points: ``amplitudes``, where it takes them; ``arguments``;
+    ``shape``; ``values``, real ones as decimal strings and complex ones as pairs of them, flat, the
+    last axis fastest; ``errors``, bounds of the absolute error that the emitted formula makes in
+    double precision, and of what is cut off.
     """
     table: dict[str, list[dict[str, Any]]] = {}
     with mpmath.workdps(DIGITS):
@@ -49,17 +50,22 @@ def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> st
 
 
 def _entry(reference: Reference) -> dict[str, Any]:
+    amplitudes = {"amplitudes": [_argument(a) for a in reference.amplitudes]}
     return {
+        **(amplitudes if reference.amplitudes else {}),
         "arguments": {name: _argument(value) for name, value in reference.arguments.items()},
         "shape": list(reference.shape),
         "values": [_decimal(value) for value in reference.values],
-        "errors": [mpmath.nstr(_upward(error), 2) for error in reference.errors],
+        "errors": [
+            mpmath.nstr(_upward(error + abs(value) * mpmath.mpf(10) ** (1 - STORED)), 2)
+            if mpmath.isfinite(value)
+            else "0.0"
+            for value, error in zip(reference.values, reference.errors, strict=True)
+        ],
     }
 
 
 def _argument(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_argument(item) for item in value]
     if isinstance(value, mpmath.mpc):
         return [float(value.real), float(value.imag)]
     return float(value)
