@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .alphabet import Alphabet, survey
-from .errors import ScalingError
+from .errors import ResonanceError, ScalingError
 from .expansion import Expansion, expand
 from .grading import Grading
 from .leading import GradedTerm, LinearForm, graded_terms, leading_order
@@ -263,22 +263,49 @@ class ScaledSystem:
         taylor, terms = self.graded(grading)
         return weak_system(self, taylor, terms, grading, relations, detuned)
 
-    def expand(self, order: int, resonance: Mapping[sp.Expr, sp.Expr] | None = None) -> Expansion:
+    def expand(
+        self,
+        order: int,
+        resonance: Mapping[sp.Expr, sp.Expr] | str | None = None,
+        *,
+        values: Mapping[Any, Any] | None = None,
+    ) -> Expansion:
         """Expand by the method of multiple scales.
 
         Parameters
         ----------
         order : int
             Highest power of ε in the solvability conditions, at least 1.
-        resonance : mapping, optional
+        resonance : mapping or "nearest", optional
             Relations {kΩ: linear form in the other frequencies} that hold up to a detuning of
-            order ε; None for the case without resonance.
+            order ε; ``"nearest"`` for the coupled resonance nearest to `values`; None for the case
+            without resonance.
+        values : mapping, optional
+            Symbol or name → number, for every frequency; with ``"nearest"`` only.
 
         Raises
         ------
         ScalingError, ResonanceError, ExpansionError
         """
+        if isinstance(resonance, str):
+            resonance = self._nearest(order, resonance, values)
+        elif values is not None:
+            raise ResonanceError('values choose a resonance only with resonance="nearest"')
         return expand(self.weak(order, resonance))
+
+    def _nearest(
+        self, order: int, word: str, values: Mapping[Any, Any] | None
+    ) -> dict[sp.Expr, sp.Expr]:
+        """The relation of the coupled resonance nearest to numbers."""
+        if word != "nearest" or values is None:
+            raise ResonanceError(
+                f'resonance={word!r} is not known: give relations, or "nearest" together with '
+                "values={frequency: number, ...}"
+            )
+        table = self.resonances(order).coupled
+        if not table:
+            raise ResonanceError(f"the system has no resonance up to order {order}")
+        return table.rank(values)[0].mapping
 
     def resonances(self, order: int) -> ResonanceTable:
         """Every resonance that appears up to ε^order, found from the divisors.
