@@ -274,7 +274,7 @@ class _Judge:
         if br and sign(self._leading(br), self.nonnegative) == -1:
             statement = "{0} has negative damping on the whole"
             return FactorVerdict(factor, "dissipative", (), True, statement, tuple(shown))
-        value = ci * ci - br * br * cr - br * bi * ci
+        value = self._without_common_damping(ci * ci - br * br * cr - br * bi * ci)
         criterion = self._by_detuning(value)
         if self._far_from_resonance(criterion) == 1:
             statement += " on the whole, but one of its modes grows far from resonance"
@@ -290,6 +290,19 @@ class _Judge:
         return FactorVerdict(
             factor, "dissipative", criterion, unstable, statement, tuple(shown), edges
         )
+
+    def _without_common_damping(self, value: Coefficient) -> Coefficient:
+        """A criterion without factors that are never negative: dampers may then be zero."""
+        if set(value.num) != {0}:
+            return value
+        field = value.field
+        for p, e in value.num[0].factor()[1]:
+            whole = sign(field.polynomial(p), self.nonnegative) == 1
+            known = {n for n, k in zip(field.names, p.degrees(), strict=True) if k}
+            if known & set(self.weights) - {self.detuning} and self.detuning not in known:
+                power = int(e) if whole else int(e) - int(e) % 2
+                value = value * field.reciprocal(p**power)
+        return value
 
     def _far_from_resonance(self, criterion: tuple[Coefficient, ...]) -> int | None:
         """The sign of the leading part of what is quadratic in the detuning."""
