@@ -116,17 +116,18 @@ def compute_ir(name: str, arguments: Sequence[sp.Symbol], outputs: Mapping[str, 
     """
     outputs = {key: sp.sympify(e) for key, e in outputs.items()}
     _check(name, arguments, outputs)
-    merged = _Roots(arguments)
-    expressions = [merged(e) for e in outputs.values()]
+    expressions, constants = _named_constants(list(outputs.values()), arguments)
+    merged = _Roots((*arguments, *constants))
+    expressions = [merged(e) for e in expressions]
     radicands = list(merged.radicands.values())
-    taken = {s.name for s in (*arguments, *merged.radicands)}
+    taken = {s.name for s in (*arguments, *constants, *merged.radicands)}
     replacements, reduced = sp.cse([*radicands, *expressions], symbols=_numbered("x", taken))
-    definitions: Definitions = dict(replacements)
+    definitions: Definitions = {**constants, **dict(replacements)}
     for symbol, radicand in zip(merged.radicands, reduced, strict=False):
         definitions[symbol] = sp.sqrt(radicand, evaluate=False)
     results = reduced[len(radicands) :]
     powers = _Powers(taken | {s.name for s in definitions})
-    definitions = {s: powers(e) for s, e in definitions.items()}
+    definitions = {s: e if s in constants else powers(e) for s, e in definitions.items()}
     results = [powers(e) for e in results]
     definitions.update(powers.definitions)
     definitions, results = _without_aliases(definitions, results)
@@ -138,6 +139,24 @@ def compute_ir(name: str, arguments: Sequence[sp.Symbol], outputs: Mapping[str, 
         tuple(zip(outputs, ordered[1], strict=True)),
         tuple(outputs.items()),
     )
+
+
+def _named_constants(
+    expressions: Sequence[sp.Expr], arguments: Sequence[sp.Symbol]
+) -> tuple[list[sp.Expr], Definitions]:
+    """A name for every sine and cosine of a number, so that none is taken apart.
+
+    Roots of unity are written with them first.
+    """
+    turned = [
+        e.replace(lambda f: isinstance(f, sp.exp) and f.is_number, lambda f: f.rewrite(sp.cos))
+        for e in expressions
+    ]
+    found = {f for e in turned for f in e.atoms(sp.cos, sp.sin) if f.is_number}
+    names = _numbered("constant", (s.name for s in arguments))
+    constants = dict(zip(names, sorted(found, key=sp.default_sort_key), strict=False))
+    back = {f: s for s, f in constants.items()}
+    return [e.xreplace(back) for e in turned], constants
 
 
 def _check(name: str, arguments: Sequence[sp.Symbol], outputs: Mapping[str, sp.Expr]) -> None:

@@ -124,3 +124,24 @@ def test_the_digest_tells_formulas_and_domains_apart() -> None:
 def test_fresh_names() -> None:
     assert fresh("x", ["y"]) == "x"
     assert fresh("x", ["x", "x_"]) == "x__"
+
+
+def test_sines_and_cosines_of_numbers_stay_whole() -> None:
+    x, y = sp.symbols("x y", positive=True)
+    angle = 2 * sp.pi / 7
+    outputs = {
+        "a": x * sp.cos(angle) + y * sp.cos(2 * angle),
+        "b": x * sp.sin(angle) * sp.exp(sp.I * angle),
+    }
+    ir = compute_ir("rooted", (x, y), outputs)
+    constants = [e for _, e in ir.intermediates if e.atoms(sp.cos, sp.sin)]
+    assert constants
+    assert all(e.func in (sp.cos, sp.sin) and e.is_number for e in constants)
+    values = {x: sp.Rational(3, 2), y: sp.Rational(5, 7)}
+    table: dict[sp.Symbol, sp.Expr] = {}
+    for symbol, e in ir.intermediates:
+        table[symbol] = e.subs({**values, **table})
+    for name, e in ir.outputs:
+        expected = outputs[name].subs(values)
+        # 30 digits of the same number: what is left is the rounding of the evaluation.
+        assert abs(sp.N(e.subs({**values, **table}) - expected, 30)) < sp.Float("1e-25")
