@@ -63,8 +63,10 @@ def graded_terms(
                     "that all exponents are whole numbers"
                 )
             if order < 0:
+                coefficient = FieldSymbols(c.field, {})(c)
                 raise ScalingError(
-                    f"{where} is of order ε^({order}), larger than the leading order: give a "
+                    f"{where} with the coefficient {coefficient} is of order ε^({order}), larger "
+                    "than the leading order, and cannot be expanded: give a "
                     "parameter in its coefficient a higher order, or the amplitude a lower one"
                 )
             terms.append(GradedTerm(int(order), key, part))
