@@ -45,8 +45,11 @@ def parameters(*symbols: sp.Symbol, **definitions: sp.Expr) -> tuple[Parameter, 
     return tuple(Parameter(s, "rad/s", "", definitions.get(s.name)) for s in symbols)
 
 
-def rotor(blades: int) -> EquationsOfMotion:
-    """The linearised isotropic rotor, in ratios, with the lag frequency at speed."""
+def rotor(blades: int, damping: tuple[sp.Symbol, ...] = ()) -> EquationsOfMotion:
+    """The linearised isotropic rotor, in ratios, with the lag frequency at speed.
+
+    `damping`: that of x, of y and of the blades.
+    """
     phi = [dynamicsymbols(f"phi_{k}") for k in range(1, blades + 1)]
     zeta = [Omega * t + 2 * sp.pi * sp.Rational(k, blades) for k in range(blades)]
     pairs = list(zip(phi, zeta, strict=True))
@@ -56,7 +59,11 @@ def rotor(blades: int) -> EquationsOfMotion:
     for b, z in pairs:
         drive = -sp.sin(z) * x.diff(t, 2) + sp.cos(z) * y.diff(t, 2)
         equations.append(b.diff(t, 2) + omega_phi**2 * b + r_b * drive)
+    for k, coordinate in enumerate((x, y, *phi)):
+        if damping:
+            equations[k] += 2 * damping[min(k, 2)] * coordinate.diff(t)
     known = parameters(
+        *damping,
         Omega,
         r_m,
         r_b,
@@ -72,6 +79,9 @@ def rotor(blades: int) -> EquationsOfMotion:
 
 @cache
 def _scaled(name: str) -> Any:
+    if name == "lossy":
+        eom = rotor(4, (mu_1, mu_2, mu))
+        return eom.scale({r_m: 1, r_b: 1, mu_1: 1, mu_2: 1, mu: 1})
     if name.startswith("rotor"):
         return rotor(int(name[5:])).scale({r_m: 1, r_b: 1})
     swing = 2 * f * sp.cos(Omega * t)
@@ -109,6 +119,8 @@ CASES: dict[str, tuple[str, int, dict[sp.Expr, sp.Expr] | None]] = {
     "five": ("rotor5", 1, SUM),
     "plain": ("rotor4", 1, None),
     "shifts": ("rotor4", 2, None),
+    "lossy": ("lossy", 1, SUM),
+    "lossy_both": ("lossy", 1, BOTH),
     "mathieu": ("mathieu", 3, {Omega: 2 * omega}),
     "fundamental": ("mathieu", 2, {Omega: omega}),
     "damped": ("damped", 1, {Omega: 2 * omega}),

@@ -257,7 +257,7 @@ def test_nan_in_one_factor_is_not_hidden_by_another() -> None:
         assert np.isnan(_runtime.growing(-inf))
         assert np.isnan(_runtime.conservative_growth(np.array([nan]), np.array([1.0]), 0.0)).all()
         assert np.isnan(_runtime.quadratic_growth(np.array([inf]), np.array([1.0]))).all()
-        assert np.isnan(_runtime.matrix_growth(((np.array([nan]), 0.0), (0.0, 1.0)))).all()
+        assert np.isnan(_runtime.matrix_growth(2, np.array([nan]), 0.0, 0.0, 1.0)).all()
 
 
 def test_quadratic_roots_without_cancellation() -> None:

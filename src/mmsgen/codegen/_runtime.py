@@ -33,8 +33,10 @@ __all__ = [
 
 Kernel = Callable[..., Any]
 
-# Points that are evaluated together: their intermediates stay in the second-level cache.
-BLOCK = 32768
+# Points that are evaluated together. Their intermediates stay in the second-level cache, and are so
+# small that the allocator keeps the memory instead of returning it to the system after each block,
+# which costs more than the arithmetic.
+BLOCK = 2048
 
 # --- arguments ------------------------------------------------------------------------------------
 
@@ -256,10 +258,9 @@ def conservative_growth(*coefficients: Any) -> Any:
     return np.abs(companion_roots(stacked(coefficients)).imag).max(axis=-1)
 
 
-def matrix_growth(rows: Sequence[Sequence[Any]]) -> Any:
-    """Largest real part of the eigenvalues of a square matrix."""
-    n = len(rows)
-    table = stacked([entry for row in rows for entry in row])
+def matrix_growth(n: int, *entries: Any) -> Any:
+    """Largest real part of the eigenvalues of an n × n matrix, its entries row by row."""
+    table = stacked(entries)
     matrices = table.reshape(*table.shape[:-1], n, n)
     finite = np.isfinite(table).all(axis=-1)
     values = np.linalg.eigvals(np.where(finite[..., None, None], matrices, 0.0))

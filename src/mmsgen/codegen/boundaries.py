@@ -7,6 +7,7 @@ from itertools import pairwise
 from typing import Any
 
 import mpmath
+import sympy as sp
 
 from ..ir import compute_ir, fresh
 from ..parameters import Parameter
@@ -43,14 +44,12 @@ def boundary_kernel(setting: Setting) -> Kernel | None:
         keys = [fresh(edge, names) for edge in EDGES]
         ir = compute_ir(title, arguments, dict(zip(keys, edges, strict=True)))
         if setting.poles:
-            return Kernel(
-                "_boundaries", ir, f"return defined({', '.join(keys)})", uses=("defined",)
-            )
-        return Kernel("_boundaries", ir, f"return {', '.join(keys)}")
+            return Kernel("_boundaries", ir, (("return defined", tuple(keys)),), uses=("defined",))
+        return Kernel("_boundaries", ir, (("return ", tuple(keys)),))
     criterion = setting.criterion
     keys = [fresh(f"p{k}", names) for k in range(len(criterion))]
     ir = compute_ir(title, arguments, dict(zip(keys, criterion, strict=True)))
-    return Kernel("_boundaries", ir, f"return zone({', '.join(keys)})", uses=("zone",))
+    return Kernel("_boundaries", ir, (("return zone", tuple(keys)),), uses=("zone",))
 
 
 def boundary_function(setting: Setting) -> EmittedFunction:
@@ -91,7 +90,20 @@ def _description(setting: Setting, kernel: Kernel | None) -> str:
             "The interval nearest to zero in which the polynomial with the coefficients p0, p1, … "
             "(lowest power first) is positive; infinite where the interval has no end."
         )
-    return "In closed form, expanded in the small parameters to the order of this case."
+    text = "In closed form, expanded in the small parameters to the order of this case."
+    powers = {power for edge in setting.edges for power in edge.atoms(sp.Pow)}
+    below = {s for power in powers if power.exp.is_negative for s in power.base.free_symbols}
+    vanishing = [p.name for p in setting.parameters if p.symbol in below and _may_vanish(p)]
+    if vanishing:
+        text += (
+            f" No finite number where {' or '.join(vanishing)} is zero: what damping does as it "
+            "vanishes depends on its distribution. Emit the undamped case for that."
+        )
+    return text
+
+
+def _may_vanish(parameter: Parameter) -> bool:
+    return not (parameter.symbol.is_positive or parameter.symbol.is_negative)
 
 
 def boundary_values(

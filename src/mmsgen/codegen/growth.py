@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from itertools import chain
 from typing import Any
 
 import mpmath
@@ -21,7 +22,7 @@ from ..field import Coefficient
 from ..ir import compute_ir, fresh
 from ..linear_flow import Block
 from .exact import exact
-from .kernels import EmittedFunction, Kernel, Reference
+from .kernels import EmittedFunction, Kernel, Reference, Statement
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
@@ -37,16 +38,19 @@ class _Plan:
     outputs : dict
         Name → expression.
     rates : dict
-        The growth rate of each factor, as code → kind and names of its outputs.
+        The growth rate of each factor, as a call of the runtime → kind and names of its outputs.
     """
 
     taken: frozenset[str]
     outputs: dict[str, sp.Expr] = field(default_factory=dict)
-    rates: dict[str, tuple[str, tuple[str, ...]]] = field(default_factory=dict)
+    rates: dict[Statement, tuple[str, tuple[str, ...]]] = field(default_factory=dict)
 
     def output(self, stem: str, expression: sp.Expr) -> str:
-        """Name an expression."""
-        count = sum(1 for name in self.outputs if name.startswith(stem))
+        """Name an expression, once."""
+        known = next((name for name, e in self.outputs.items() if e == expression), None)
+        if known is not None:
+            return known
+        count = sum(1 for name in self.outputs if name.startswith(f"{stem}_"))
         name = fresh(f"{stem}_{count + 1}", self.taken)
         self.outputs[name] = expression
         return name
@@ -66,46 +70,39 @@ def _real(c: Coefficient) -> Coefficient:
 def _add_conservative(plan: _Plan, factor: MonicFactor, setting: Setting) -> None:
     degree = factor.degree
     if degree == 1:
-        plan.rates["0.0"] = "neutral", ()
+        plan.rates["", ("0.0",)] = "neutral", ()
     elif degree == 2:
         c, b, _ = factor.coefficients
         name = plan.output("discriminant", setting.parts(b * b - c.scale(4))[0])
-        plan.rates[f"growing({name})"] = "growing", (name,)
+        plan.rates["growing", (name,)] = "growing", (name,)
     else:
         turned = (c.times_i(k - degree) for k, c in enumerate(factor.coefficients[:-1]))
         names = tuple(plan.output("coefficient", setting.parts(c)[0]) for c in turned)
-        plan.rates[f"conservative_growth({', '.join(names)})"] = "conservative", names
+        plan.rates["conservative_growth", names] = "conservative", names
 
 
 def _add_dissipative(plan: _Plan, factor: MonicFactor, setting: Setting) -> None:
     if factor.degree == 1:
-        name = plan.output("rate", -setting.parts(_real(factor.coefficients[0]))[0])
-        plan.rates[name] = "linear", (name,)
+        name = plan.output("decay", -setting.parts(_real(factor.coefficients[0]))[0])
+        plan.rates["", (name,)] = "linear", (name,)
         return
     c, b, _ = factor.coefficients
     names = tuple(
         plan.output(stem, re + sp.I * im)
         for stem, (re, im) in (("b", setting.parts(b)), ("c", setting.parts(c)))
     )
-    plan.rates[f"quadratic_growth({', '.join(names)})"] = "quadratic", names
+    plan.rates["quadratic_growth", names] = "quadratic", names
 
 
 def _add_block(plan: _Plan, block: Block, setting: Setting) -> None:
-    n, names, rows = len(block.nodes), [], []
-    for row in block.entries:
-        texts = []
-        for c in row:
-            if not c:
-                texts.append("0.0")
-                continue
-            re, im = setting.parts(c)
-            names.append(plan.output("entry", re + sp.I * im))
-            texts.append(names[-1])
-        rows.append(f"({', '.join(texts)}{',' if n == 1 else ''})")
-    plan.rates[f"matrix_growth(({', '.join(rows)}{',' if n == 1 else ''}))"] = (
-        "matrix",
-        tuple(names),
-    )
+    names, texts = [], []
+    for c in chain.from_iterable(block.entries):
+        if not c:
+            texts.append("0.0")
+            continue
+        names.append(plan.output("entry", setting.shown(c)))
+        texts.append(names[-1])
+    plan.rates["matrix_growth", (str(len(block.nodes)), *texts)] = "matrix", tuple(names)
 
 
 def _plan(setting: Setting) -> _Plan:
@@ -122,7 +119,7 @@ def _plan(setting: Setting) -> _Plan:
     if len(plan.rates) > 1 and all(
         kind in ("neutral", "growing", "conservative") for kind, _ in plan.rates.values()
     ):
-        plan.rates.pop("0.0", None)  # the others are never below zero
+        plan.rates.pop(("", ("0.0",)), None)  # the others are never below zero
     return plan
 
 
@@ -131,11 +128,8 @@ def growth_function(setting: Setting) -> EmittedFunction:
     plan = _plan(setting)
     symbols = [p.symbol for p in setting.parameters]
     ir = compute_ir(f"{setting.name}.growth_rate", symbols, plan.outputs)
-    terms = list(plan.rates)
-    value = terms[0] if len(terms) == 1 else f"largest({', '.join(terms)})"
-    known = ("growing", "conservative_growth", "quadratic_growth", "matrix_growth", "largest")
-    uses = tuple(name for name in known if f"{name}(" in value)
-    kernel = Kernel("_growth_rate", ir, f"return {value}", uses=uses)
+    closing, uses = _closing(plan)
+    kernel = Kernel("_growth_rate", ir, closing, uses=uses)
     kinds = dict.fromkeys(kind for kind, _ in plan.rates.values())
 
     def reference(point: Mapping[str, Any]) -> Reference:
@@ -154,6 +148,23 @@ def growth_function(setting: Setting) -> EmittedFunction:
         kernels=(kernel,),
         uses=("evaluate",),
     )
+
+
+def _closing(plan: _Plan) -> tuple[tuple[Statement, ...], tuple[str, ...]]:
+    """The statements that make one rate of all, and what they use of the runtime."""
+    called = [call for call, _ in plan.rates if call]
+    if len(plan.rates) == 1:
+        ((call, items),) = plan.rates
+        return ((f"return {call}", items),), tuple(called)
+    statements: list[Statement] = []
+    terms: list[str] = []
+    for call, items in plan.rates:
+        if not call:
+            terms += items
+            continue
+        terms.append(fresh(f"rate_{len(terms) + 1}", plan.taken | set(plan.outputs)))
+        statements.append((f"{terms[-1]} = {call}", items))
+    return (*statements, ("return largest", tuple(terms))), ("largest", *dict.fromkeys(called))
 
 
 _EXPLAINED = {

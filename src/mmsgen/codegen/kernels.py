@@ -9,7 +9,7 @@ from typing import Any
 from ..ir import IR
 from ..parameters import Parameter
 
-__all__ = ["AMPLITUDES", "RUNTIME", "EmittedFunction", "Kernel", "Reference"]
+__all__ = ["AMPLITUDES", "RUNTIME", "EmittedFunction", "Kernel", "Reference", "Statement"]
 
 #: what emitted modules may use of the code that they share: name -> module
 RUNTIME = {
@@ -39,6 +39,13 @@ RUNTIME = {
 AMPLITUDES = "(amplitudes)"
 
 
+Statement = tuple[str, tuple[str, ...]]
+"""``("return f", ("a", "b"))`` for ``return f(a, b)``, ``("return ", …)`` for a bare tuple.
+
+A local name in braces stands for what an argument of that name is called in the kernel.
+"""
+
+
 @dataclass(frozen=True)
 class Kernel:
     """A formula without checks, evaluated by an emitted function block by block.
@@ -48,8 +55,8 @@ class Kernel:
     name : str
     ir : IR
         Its outputs are named by what stands left of the assignment.
-    closing : str
-        The last statement; empty where the outputs are assigned in place.
+    closing : tuple of Statement
+        What is done with the outputs; empty where they are assigned in place.
     leading : tuple of str
         Arguments before those of the IR.
     uses : tuple of str
@@ -58,7 +65,7 @@ class Kernel:
 
     name: str
     ir: IR
-    closing: str = ""
+    closing: tuple[Statement, ...] = ()
     leading: tuple[str, ...] = ()
     uses: tuple[str, ...] = ()
 

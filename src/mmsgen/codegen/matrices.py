@@ -89,7 +89,7 @@ def characteristic_function(setting: Setting) -> EmittedFunction:
     n = sum(len(keys) * multiplicity for keys, multiplicity in plan)
     symbols = [p.symbol for p in setting.parameters]
     ir = compute_ir(f"{setting.name}.characteristic_coefficients", symbols, outputs)
-    closing = f"multiply_out({out}, {', '.join(factors)})"
+    closing = (("multiply_out", (out, *factors)),)
     kernel = Kernel("_characteristic_coefficients", ir, closing, (out,), ("multiply_out",))
 
     def reference(point: Mapping[str, Any]) -> Reference:

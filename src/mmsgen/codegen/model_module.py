@@ -113,7 +113,7 @@ def _entry(
 def _strings(items: Sequence[str]) -> str:
     texts = [_quoted(item) for item in items]
     line = f"({', '.join(texts)}{',' if len(texts) == 1 else ''})"
-    if len(line) <= 80:
+    if len(line) <= 74:
         return line
     return "(\n" + "\n".join(f"            {text}," for text in texts) + "\n        )"
 

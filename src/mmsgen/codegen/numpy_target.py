@@ -184,10 +184,10 @@ def kernel_text(kernel: Kernel, name: str) -> str:
         lines.append("    # Outputs")
     for key, expression in ir.outputs:
         lines += filled(f"{key} = ", expression_text(expression, names), 4)
-    if kernel.closing:
-        local = {s.name: names[s] for s in ir.arguments}
-        lines += _call(kernel.closing.format_map(local))
-    elif not ir.outputs:
+    local = {s.name: names[s] for s in ir.arguments}
+    for head, items in kernel.closing:
+        lines += _statement(head, [item.format_map(local) for item in items])
+    if not ir.outputs and not kernel.closing:
         lines.append("    return")
     return "\n".join(lines) + "\n"
 
@@ -212,22 +212,10 @@ def wrapped(items: list[str], indent: int) -> list[str]:
     return [*lines, current]
 
 
-def _call(statement: str) -> list[str]:
-    """The closing statement, broken after commas where it is too long."""
-    whole = "    " + statement
+def _statement(head: str, items: list[str]) -> list[str]:
+    """A call, or a bare tuple, broken after commas where it is too long."""
+    inner = ", ".join(items)
+    whole = f"    {head}{inner}" if head.endswith(" ") else f"    {head}({inner})"
     if len(whole) <= LINE_LENGTH:
         return [whole]
-    if statement.partition(",")[0].endswith(")") or "(" not in statement.partition(",")[0]:
-        statement = f"return ({statement.removeprefix('return ')},)"
-    head, _, rest = statement.partition("(")
-    inner, depth, item, items = rest.rsplit(")", 1)[0], 0, "", []
-    for ch in inner:
-        depth += (ch == "(") - (ch == ")")
-        if ch == "," and depth == 0:
-            items.append(item.strip())
-            item = ""
-        else:
-            item += ch
-    if item.strip():
-        items.append(item.strip())
     return [f"    {head}(", *wrapped(items, 8), "    )"]

@@ -228,4 +228,4 @@ def _returning(
         key if key in named else f"{{{e.name}}}" if e.is_Symbol else str(e)
         for key, e in outputs.items()
     ]
-    return Kernel(name, ir, f"return {', '.join(values)}")
+    return Kernel(name, ir, (("return ", tuple(values)),))
