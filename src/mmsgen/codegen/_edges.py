@@ -19,7 +19,7 @@ Kernel = Callable[..., Any]
 # Points that are solved together: every one of them is looked at on a whole grid of frequencies.
 BLOCK = 1024
 
-EPS = float(np.finfo(np.float64).eps)
+EPS = 2.0**-52
 
 # --- the unstable interval of a detuning ----------------------------------------------------------
 
@@ -148,11 +148,8 @@ def implicit_edges(
     return edges[0].reshape(shape)[()], edges[1].reshape(shape)[()]
 
 
-# The grid on which a frequency without detuning is looked for, in units of its estimate.
-_GRID = np.concatenate(([0.0], np.geomspace(1e-3, 1e3, 146)))
-
-# Steps from there towards an edge, in units of the step of Newton's method.
-_STEPS = np.array([0.0, 0.5, 0.8, 0.95, 1.0, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 9.0, 17.0, 33.0, 65.0])
+# Steps from the frequency without detuning towards an edge, in units of Newton's step.
+_STEPS = (0.0, 0.5, 0.8, 0.95, 1.0, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 9.0, 17.0, 33.0, 65.0)
 
 
 def _edges(
@@ -171,7 +168,8 @@ def _edges(
     def free(rows: NDArray[np.int64], frequency: NDArray[np.float64]) -> Any:
         return at(rows, frequency)[0]
 
-    centre = _first_root(free, estimate[:, None] * _GRID, estimate)
+    ratios = np.concatenate(([0.0], np.geomspace(1e-3, 1e3, 146)))
+    centre = _first_root(free, estimate[:, None] * ratios, estimate)
     result = np.full((2, count), np.nan)
     for edge in (0, 1):
 
@@ -182,7 +180,7 @@ def _edges(
         step = 1e-6 * centre
         start = gap(everywhere, centre)
         slope = (gap(everywhere, centre + step) - start) / step
-        grid = centre[:, None] - (start / slope)[:, None] * _STEPS
+        grid = centre[:, None] - (start / slope)[:, None] * np.array(_STEPS)
         grid = np.where(grid > 0.0, grid, np.nan)
         result[edge] = _first_root(gap, grid, np.abs(slope) * centre)
     return result
