@@ -27,7 +27,7 @@ from .errors import ExpansionError
 from .expressions import FieldSymbols
 from .factoring import MonicFactor
 from .field import Coefficient, sign, split_generator
-from .numeric import Evaluator
+from .numeric import Evaluator, named_values
 from .parameters import Parameter
 from .zones import unstable_zone
 
@@ -164,11 +164,12 @@ class Stability:
 
     def boundaries(self, values: Mapping[Any, Any]) -> Any:
         """Both edges for numbers; NaN where there is no unstable interval."""
-        shape = np.broadcast_shapes(*(np.shape(v) for v in values.values()))
+        numbers = named_values(self.parameters, values)
+        shape = np.broadcast_shapes(*(v.shape for v in numbers.values()))
         if self.critical is None:
             return np.full((*shape, 2), np.nan)
         with np.errstate(divide="ignore", invalid="ignore"):
-            zones = unstable_zone([np.real(c) for c in self._criterion(values)])
+            zones = unstable_zone([np.real(c) for c in self._criterion(numbers)])
         return np.broadcast_to(zones, (*shape, 2)).copy()
 
     @cached_property

@@ -31,7 +31,8 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
     Raises
     ------
     MmsgenError
-        If a value is given for an unknown parameter, twice, or is not a finite real number.
+        If a value is given for an unknown parameter, twice, or is not a finite real number, or
+        if their shapes do not broadcast.
     """
     known = by_name(parameters)
     table: dict[str, Any] = {}
@@ -41,10 +42,14 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
             raise MmsgenError(f"{name} is not a parameter here; known are {', '.join(known)}")
         if name in table:
             raise MmsgenError(f"a value for {name} is given twice")
-        number = np.asarray(value)
+        try:
+            number = np.asarray(value)
+        except ValueError:
+            number = np.asarray(None)  # ragged
         if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
             raise MmsgenError(f"the value of {name} must be real and finite, got {value!r}")
         table[name] = number.astype(float)
+    _check_shapes(table)
     pending = {p.name: p.definition for p in parameters if p.definition and p.name not in table}
     while pending:
         ready = {n: d for n, d in pending.items() if {str(s) for s in d.free_symbols} <= set(table)}
@@ -56,6 +61,14 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
             table[name] = np.asarray(function(*(table[str(s)] for s in symbols)), dtype=float)
             del pending[name]
     return table
+
+
+def _check_shapes(table: Mapping[str, Any]) -> None:
+    try:
+        np.broadcast_shapes(*(v.shape for v in table.values()))
+    except ValueError:
+        shown = ", ".join(f"{name} {v.shape}" for name, v in table.items() if v.ndim)
+        raise MmsgenError(f"the shapes of the values do not broadcast: {shown}") from None
 
 
 class Evaluator:
