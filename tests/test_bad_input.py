@@ -59,7 +59,7 @@ def nothing_else() -> object:
         assert len(str(error)) > 25, error
 
 
-@settings(max_examples=150, suppress_health_check=list(HealthCheck))
+@settings(suppress_health_check=list(HealthCheck))
 @given(expressions(), expressions(), st.sampled_from([0, 1, sp.Rational(1, 2)]))
 def test_any_equations(first: sp.Expr, second: sp.Expr, amplitude: sp.Expr) -> None:
     with nothing_else():
@@ -90,7 +90,6 @@ SIDES += [2 * omega, Omega - omega, -omega, omega * Omega, sp.sqrt(omega), sp.Fl
 SIDES += [None, [], 2, 2.0, 1j, omega / 2, omega + 1, sp.Eq(omega, Omega), float("nan"), (omega,)]
 
 
-@settings(max_examples=200)
 @given(st.lists(st.tuples(st.sampled_from(SIDES), st.sampled_from(SIDES)), max_size=3))
 def test_any_relations(pairs: list) -> None:
     relations = {a: b for a, b in pairs if not isinstance(a, list)}
@@ -108,7 +107,6 @@ ANYTHING = st.one_of(
 )
 
 
-@settings(max_examples=200)
 @given(st.one_of(ANYTHING, st.tuples(ANYTHING, ANYTHING)), ANYTHING, ANYTHING)
 def test_any_orders(order: object, amplitude: object, expansion_order: object) -> None:
     eom = oscillator(alpha * x**3 + f * sp.cos(Omega * t))
@@ -126,7 +124,6 @@ VALUES = st.one_of(
 )
 
 
-@settings(max_examples=200)
 @given(st.dictionaries(st.sampled_from(["alpha", "omega", "sigma", "Omega", "beta", 3]), VALUES))
 def test_any_values(values: dict) -> None:
     """Numbers for growth rates and edges: ragged lists, text, NaN, unknown names, shapes."""

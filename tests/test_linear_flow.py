@@ -85,7 +85,7 @@ def test_characteristic_polynomial_is_the_determinant(name: str) -> None:
 
 @pytest.mark.parametrize("name", FLOWS)
 def test_the_matrix_is_the_slow_flow(name: str) -> None:
-    """S times the variables is dB/dt, conjugated where a variable is: at exact points, 50 digits."""
+    """S times the variables is dB/dt, conjugated where a variable is: 50 digits at exact points."""
     flow = FLOWS[name]()
     rates = flow.matrix * sp.Matrix(flow.variables)
     numbers = point(flow, 3)

@@ -60,7 +60,7 @@ LEADING = [
     (oscillator(sp.sqrt(Omega) * sp.cos(Omega * t)), {}, "fractional power of the frequency Omega"),
     (oscillator(0, omega_1 - omega_2), {}, "undecided sign"),
     (oscillator(0, sp.sqrt(omega_1 * omega_2)), {}, "name the frequency"),
-    (oscillator(alpha / p * x**3), {p: 1}, r"x\(t\)\*\*3 with the coefficient .* is of order ε\^\(-1\)"),
+    (oscillator(alpha / p * x**3), {p: 1}, r"x\(t\)\*\*3 with the coefficient .* order ε\^\(-1\)"),
     (oscillator(alpha / (p + kappa) * x**3), {p: 1, kappa: 1}, r"order ε\^\(-1\)"),
 ]
 
