@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from html import escape
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +17,7 @@ from .tables import relation_text
 if TYPE_CHECKING:
     from .expansion import Expansion
 
-__all__ = ["Certificate", "Fit", "Zone", "fit_exponent", "supported"]
+__all__ = ["Certificate", "Fit", "Zone", "fit_exponent", "supported", "title"]
 
 TOLERANCE = 0.1
 """How far a fitted exponent may fall short of the theory's.
@@ -30,10 +30,26 @@ RESOLVED = 30.0
 """An error counts as resolved from this many times the reference's own error."""
 
 SMALLEST = 1e-9
-"""Errors below this one, in s⁻¹ or rad/s, take no part: a limit that no last bit moves."""
+"""Errors below this one take no part unless said otherwise: a limit that no last bit moves."""
+
+NONE = "none"
+"""The relation of a case without any."""
 
 NEEDED = 4
 """Points of a fit with three unknowns."""
+
+TAKEN = 6
+"""Points that a fit takes at most, those of the smallest ε.
+
+An error in a coefficient of order p ≤ N is a term ε^p beside the ε^{N+1} that the order may leave,
+and overtakes it only as ε → 0.
+"""
+
+
+def title(case: Expansion) -> str:
+    """The resonance relations of a case as text, or ``"none"``."""
+    texts = (relation_text(r.equation, case.parameters) for r in case.relations)
+    return ", ".join(texts) or NONE
 
 
 def supported(value: float, error: float, digits: int = 3) -> str:
@@ -55,9 +71,10 @@ def supported(value: float, error: float, digits: int = 3) -> str:
     """
     if not math.isfinite(value):
         return "nan"
-    if abs(value) <= error:
+    if not abs(value) > error:
         return "0"
-    spare = math.floor(math.log10(abs(value) / error)) - 1 if error else digits
+    # A quotient would overflow.
+    spare = math.floor(math.log10(abs(value)) - math.log10(error)) - 1 if error else digits
     return f"{value:.{max(0, min(digits, spare) - 1)}e}"
 
 
@@ -73,7 +90,9 @@ class Fit:
     epsilons, errors, floors : tuple of float
         ε, error of the result in s⁻¹ or rad/s, and the error of the reference itself.
     exponent : float
-        Fitted to the resolved errors, log e = log C + p log ε + dε.
+        Fitted to the resolved errors of the smallest ε, log e = log C + p log ε + dε.
+    limit : float
+        Errors below this one take no part, whatever the floors.
     """
 
     quantity: str
@@ -82,12 +101,13 @@ class Fit:
     errors: tuple[float, ...]
     floors: tuple[float, ...]
     exponent: float
+    limit: float = SMALLEST
 
     @property
     def resolved(self) -> tuple[bool, ...]:
         """Which errors are well above that of the reference."""
         pairs = zip(self.errors, self.floors, strict=True)
-        return tuple(e > max(RESOLVED * f, SMALLEST) for e, f in pairs)
+        return tuple(math.isfinite(e) and e > max(RESOLVED * f, self.limit) for e, f in pairs)
 
     @property
     def passed(self) -> bool:
@@ -95,17 +115,18 @@ class Fit:
         return self.exponent > self.theory - TOLERANCE
 
     def as_dict(self) -> dict[str, Any]:
-        """Plain data for JSON."""
+        """Plain data for JSON, the digits of errors set by the limit alone.
+
+        The floors are estimates, of which the last bits differ between machines.
+        """
         return {
             "quantity": self.quantity,
             "theory": self.theory,
             "fitted": f"{self.exponent:.2f}",
             "passed": self.passed,
             "points": [
-                {"epsilon": e, "error": supported(x, f)}
-                for e, x, f, ok in zip(
-                    self.epsilons, self.errors, self.floors, self.resolved, strict=True
-                )
+                {"epsilon": e, "error": supported(x, self.limit / RESOLVED)}
+                for e, x, ok in zip(self.epsilons, self.errors, self.resolved, strict=True)
                 if ok
             ],
         }
@@ -117,25 +138,39 @@ def fit_exponent(
     epsilons: Sequence[float],
     errors: Sequence[float],
     floors: Sequence[float],
+    *,
+    limit: float = SMALLEST,
 ) -> Fit:
     """Fit the exponent of an error that falls like ε^p (1 + O(ε)).
+
+    Parameters
+    ----------
+    quantity : str
+    theory : int
+        The exponent that is claimed.
+    epsilons, errors, floors : sequence of float
+        ε, error, and error of the reference.
+    limit : float
+        Errors below this one take no part.
 
     Raises
     ------
     CertificateError
         If fewer than four errors are resolved.
     """
-    fit = Fit(quantity, theory, tuple(epsilons), tuple(errors), tuple(floors), math.nan)
-    points = [(e, x) for e, x, ok in zip(fit.epsilons, fit.errors, fit.resolved, strict=True) if ok]
-    if len(points) < NEEDED:
+    fit = Fit(quantity, theory, tuple(epsilons), tuple(errors), tuple(floors), math.nan, limit)
+    resolved = zip(fit.epsilons, fit.errors, fit.resolved, strict=True)
+    points = sorted((e, x) for e, x, ok in resolved if ok)[:TAKEN]
+    if len({e for e, _ in points}) < NEEDED:
         raise CertificateError(
             f"only {len(points)} of {len(errors)} errors of the {quantity} are above what the "
             "reference resolves: choose larger values of ε, or parameters that interact more"
         )
     e, x = np.array(points).T
-    design = np.stack([np.ones_like(e), np.log(e), e], axis=1)
+    # In units of the largest ε the columns are of one size.
+    design = np.stack([np.ones_like(e), np.log(e / e.max()), e / e.max()], axis=1)
     solution, *_ = np.linalg.lstsq(design, np.log(x), rcond=None)
-    return Fit(quantity, theory, fit.epsilons, fit.errors, fit.floors, float(solution[1]))
+    return replace(fit, exponent=float(solution[1]))
 
 
 @dataclass(frozen=True)
@@ -198,9 +233,7 @@ class Certificate:
         zones: tuple[Zone, ...] = (),
     ) -> Certificate:
         """Make the certificate of a case."""
-        texts = (relation_text(r.equation, case.parameters) for r in case.relations)
-        relation = ", ".join(texts) or "none"
-        return cls(relation, case.order, tuple(sorted(values.items())), fits, zones)
+        return cls(title(case), case.order, tuple(sorted(values.items())), fits, zones)
 
     @property
     def passed(self) -> bool:
@@ -210,8 +243,9 @@ class Certificate:
     @property
     def failure(self) -> str:
         """Which fit fails and how; empty where none does."""
+        case = "the case without resonance" if self.relation == NONE else self.relation
         return "; ".join(
-            f"{f.quantity} of {self.relation} at order {self.order}: the error falls like "
+            f"{f.quantity} of {case} at order {self.order}: the error falls like "
             f"ε^{f.exponent:.2f}, the theory demands ε^{f.theory}"
             for f in self.fits
             if not f.passed

@@ -4,12 +4,12 @@ With every small parameter p of order k replaced by ε^k p, every detuning σ by
 else fixed, the characteristic exponents that follow from a slow flow of order N differ from the
 exact ones by O(ε^{N+1}), and so do the edges of a zone of instability. The errors are computed for
 a range of ε, an exponent is fitted, and it is compared with the theory's: a wrong coefficient at
-any order ≤ N lowers it. Errors that the reference cannot resolve take no part in the fit.
+any order ≤ N lowers it, the more clearly the smaller ε is. Errors that the reference cannot resolve
+take no part in the fit. The functions that are not fitted must agree with those that are.
 """
 
 from __future__ import annotations
 
-import inspect
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -17,8 +17,9 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from . import floquet
-from .certificate import Certificate, Fit, Zone, fit_exponent
-from .errors import CertificateError
+from .certificate import SMALLEST, Certificate, Fit, Zone, fit_exponent, title
+from .consistency import arguments_of, demand_agreement, demand_speed_on_edge
+from .errors import CertificateError, FloquetError, MmsgenError
 from .loading import load
 from .motion import RTOL, exact_motion, first_order_system, reconstruction, slow_motion
 from .numeric import Evaluator, named_values
@@ -26,13 +27,33 @@ from .numeric import Evaluator, named_values
 if TYPE_CHECKING:
     from .expansion import Expansion
 
-__all__ = ["EPSILONS", "certify", "scaled_values"]
+__all__ = ["EDGE_EPSILONS", "EPSILONS", "certify", "scaled_values"]
 
-EPSILONS = tuple(2.0**-k for k in range(3, 9))
-"""The default range of ε: a factor of 32, over which orders N and N + 1 part by that factor."""
+EPSILONS = tuple(2.0**-k for k in range(3, 15))
+"""The default range of ε: so small at its end that an error of a thousandth in a coefficient of the
+first order, cε/1000, is larger there than what order 1 leaves, about cε².
+"""
 
-REFERENCE = 1e-12
-"""Error wanted of Floquet's exponents, s⁻¹."""
+EDGE_EPSILONS = EPSILONS[:6]
+"""For the edges of a zone, which become ill-conditioned as it closes."""
+
+MOTION_EPSILONS = EPSILONS[1:6]
+"""For motions, which beat, and come into their asymptotic range later than exponents do."""
+
+SCAN = 20
+"""Points of the scan for a zone: a third of a cell away from the edges that are expected."""
+
+REFERENCE = 4e-14
+"""Error wanted of Floquet's exponents, over the largest frequency."""
+
+LIMIT, EDGE_LIMIT = 4e-11, 4e-10
+"""Errors of exponents and of edges, over the largest frequency, from which they take part.
+
+Well above the reference's own errors, so that no last bit decides which ones do.
+"""
+
+VISIBLE = 10.0
+"""Growth at the middle of a zone from which Floquet cannot miss it, in its thresholds."""
 
 
 def certify(
@@ -40,7 +61,7 @@ def certify(
     values: Mapping[Any, Any],
     *,
     functions: Any = None,
-    epsilons: Sequence[float] = EPSILONS,
+    epsilons: Sequence[float] | None = None,
     numbers: Mapping[Any, Any] | None = None,
     amplitudes: Sequence[complex] | None = None,
     span: float = 1.0,
@@ -57,8 +78,9 @@ def certify(
         error term may vanish.
     functions : module, optional
         The emitted module; by default rendered and loaded from the case.
-    epsilons : sequence of float
-        Values of ε, descending.
+    epsilons : sequence of float, optional
+        Values of ε > 0; by default `EPSILONS`, for the edges of a zone `EDGE_EPSILONS`, for motions
+        `MOTION_EPSILONS`.
     numbers : mapping, optional
         Values of the independent parameters at which, at ε = 1, the critical speeds are set beside
         Floquet's; for a case that can be unstable.
@@ -74,32 +96,49 @@ def certify(
     Raises
     ------
     CertificateError
-        If fewer than four errors are resolved by the reference, so that nothing can be fitted.
+        If fewer than four errors are resolved by the reference, so that nothing can be fitted, or
+        the emitted functions contradict each other; the message names the case.
     MmsgenError
-        If a value is missing, unknown or unusable.
+        If a value is unknown or unusable.
     """
+    floats = _scalars(named_values(case.parameters, values))
+    for epsilon in () if epsilons is None else epsilons:
+        if not 0 < epsilon < np.inf:
+            raise MmsgenError(f"ε must be positive and finite to certify, got {epsilon!r}")
     module = load(case) if functions is None else functions
-    table = named_values(case.parameters, values)
-    floats = {name: float(v) for name, v in table.items()}
-    if not case.slow_flow.is_linear:
-        # Motions beat, and come into their asymptotic range later than exponents do.
-        smaller = epsilons if epsilons is not EPSILONS else EPSILONS[1:]
-        fit = _motion_fit(case, module, floats, smaller, amplitudes, span)
-        return Certificate.of_case(case, floats, (fit,))
-    fits = [_exponent_fit(case, module, floats, epsilons)]
-    if _has_zone(case, module, floats):
-        fits.append(_edge_fit(case, module, floats, epsilons))
-    zones = (_zone_at(case, module, numbers),) if numbers and len(fits) > 1 else ()
+    zones: tuple[Zone, ...] = ()
+    try:
+        if not case.slow_flow.is_linear:
+            steps = MOTION_EPSILONS if epsilons is None else epsilons
+            fits = [_motion_fit(case, module, floats, steps, amplitudes, span)]
+        else:
+            fits = [_exponent_fit(case, module, floats, EPSILONS if epsilons is None else epsilons)]
+            if _has_zone(case, module, floats):
+                steps = EDGE_EPSILONS if epsilons is None else epsilons
+                fits.append(_edge_fit(case, module, floats, steps))
+            if all(f.passed for f in fits):
+                demand_agreement(case, module, scaled_values(case, floats, 1.0)[0])
+            if numbers and len(fits) > 1:
+                zones = _zones_at(case, module, numbers)
+    except (CertificateError, FloquetError) as error:
+        name = title(case) if case.relations else "without resonance"
+        raise CertificateError(f"{name} at order {case.order}: {error}") from error
     return Certificate.of_case(case, floats, tuple(fits), zones)
 
 
+def _scalars(table: Mapping[str, Any]) -> dict[str, float]:
+    for name, value in table.items():
+        if np.ndim(value):
+            raise MmsgenError(f"the value of {name} must be one number to certify, got {value!r}")
+    return {name: float(value) for name, value in table.items()}
+
+
 def _has_zone(case: Expansion, module: Any, values: Mapping[str, float]) -> bool:
-    """Whether the emitted functions give a zone of finite width at the values."""
+    """Whether edges are emitted, and the slow flow itself has a zone at these values."""
     if not case.relations or not hasattr(module, "boundaries"):
         return False
-    slow, _ = scaled_values(case, values, 1.0)
-    edges = module.boundaries(**_arguments(module.boundaries, slow))
-    return bool(np.all(np.isfinite(edges)))
+    slow = scaled_values(case, values, 1.0)[0]
+    return bool(np.all(np.isfinite(case.slow_flow.boundaries(slow))))
 
 
 def scaled_values(
@@ -131,22 +170,15 @@ def scaled_values(
     return slow, exact
 
 
-def _arguments(function: Any, values: Mapping[str, float]) -> dict[str, float]:
-    """The values that an emitted function takes."""
-    names = list(inspect.signature(function).parameters)
-    missing = [n for n in names if n not in values]
-    if missing:
-        raise CertificateError(f"no value is given for {', '.join(missing)}")
-    return {n: values[n] for n in names}
-
-
 def predicted_exponents(case: Expansion, module: Any, slow: Mapping[str, float]) -> Any:
     """Characteristic exponents from the emitted slow-flow matrix, one per state.
 
     An eigenvalue Γ of a block that holds A_j belongs to e^{(i(ω_j + λ_j) + Γ)t}; modulo the
     excitation frequency all amplitudes of a block give the same.
     """
-    matrix = module.slow_flow_matrix(**_arguments(module.slow_flow_matrix, slow))
+    matrix = module.slow_flow_matrix(**arguments_of(module.slow_flow_matrix, slow))
+    if not np.all(np.isfinite(matrix)):
+        raise CertificateError("slow_flow_matrix has entries that are no numbers")
     flow = case.slow_flow
     ring = case.weak.ring
     offsets = Evaluator(
@@ -178,14 +210,19 @@ def _exponent_fit(
     case: Expansion, module: Any, values: Mapping[str, float], epsilons: Sequence[float]
 ) -> Fit:
     """The largest distance between predicted and exact exponents, for each ε."""
-    errors, floors = [], []
+    errors, floors, scale = [], [], 0.0
     eom = case.weak.scaled.eom
     for epsilon in epsilons:
         slow, exact = scaled_values(case, values, epsilon)
         predicted = predicted_exponents(case, module, slow)
         given = {p.name: exact[p.name] for p in eom.parameters if p.name in exact}
-        reference = floquet.exponents(eom, given, tolerance=REFERENCE)
+        scale = scale or float(np.abs(predicted).max())
+        reference = floquet.exponents(eom, given, tolerance=REFERENCE * scale)
         period = 1.0 if reference.period is None else float(reference.period)
+        if not np.all(np.isfinite(reference.value)):
+            errors.append(np.nan)
+            floors.append(np.inf)
+            continue
         # Exponents are defined modulo 2πi/T; their multipliers are compared instead.
         distance = np.abs(
             np.exp(predicted * period)[:, None] - np.exp(reference.value * period)[None, :]
@@ -193,7 +230,9 @@ def _exponent_fit(
         rows, columns = linear_sum_assignment(distance)
         errors.append(float(distance[rows, columns].max()) / period)
         floors.append(float(np.max(reference.error)))
-    return fit_exponent("characteristic exponents", case.order + 1, epsilons, errors, floors)
+    return fit_exponent(
+        "characteristic exponents", case.order + 1, epsilons, errors, floors, limit=LIMIT * scale
+    )
 
 
 def _edge_fit(
@@ -204,22 +243,34 @@ def _edge_fit(
     (pivot,) = relation.lhs.free_symbols
     eom = case.weak.scaled.eom
     sigma = str(relation.detuning.name)
-    errors, floors = [], []
+    errors, floors, scale = [], [], 0.0
     for epsilon in epsilons:
         slow, exact = scaled_values(case, values, epsilon)
-        arguments = _arguments(module.boundaries, slow)
+        scale = scale or float(np.abs(predicted_exponents(case, module, slow)).max())
+        arguments = arguments_of(module.boundaries, slow)
         lower, upper = (float(e) for e in module.boundaries(**arguments))
+        if not lower < upper:
+            raise CertificateError(f"boundaries gives no interval at ε = {epsilon:g}")
         slope = float(case.weak.detuned[str(pivot.name)].detuning[sigma])
         centre = exact[str(pivot.name)] - slope * slow[sigma]
         edges = sorted((centre + slope * lower, centre + slope * upper))
         width = edges[1] - edges[0]
         given = {p.name: exact[p.name] for p in eom.parameters if p.name in exact}
         given.pop(str(pivot.name))
-        found = floquet.boundary(eom, given, pivot, (edges[0] - width, edges[1] + width), points=61)
+        interval = (edges[0] - width, edges[1] + width)
+        found = floquet.boundary(eom, given, pivot, interval, points=SCAN)
+        inside = {**slow, sigma: (lower + upper) / 2}
+        growth = module.growth_rate(**arguments_of(module.growth_rate, inside))
+        if not found.zones and 0 < growth < VISIBLE * found.threshold:
+            errors.append(np.nan)
+            floors.append(np.inf)
+            continue
         zone = _zone(found, sum(edges) / 2)
         errors.append(max(abs(a - b) for a, b in zip(edges, zone[0], strict=True)))
         floors.append(zone[1])
-    return fit_exponent("edges of the zone", case.order + 1, epsilons, errors, floors)
+    return fit_exponent(
+        "edges of the zone", case.order + 1, epsilons, errors, floors, limit=EDGE_LIMIT * scale
+    )
 
 
 def _motion_fit(
@@ -247,8 +298,7 @@ def _motion_fit(
         window = 10 * np.pi / np.min(np.abs(shape.rates[:n]))
         times = np.concatenate([[0.0], np.linspace(end, end + window, 200)])
         start = epsilon**weights * np.asarray(amplitudes, dtype=complex)
-        own = _arguments(module.slow_flow, {**slow, "amplitudes": 0.0})
-        own.pop("amplitudes", None)
+        own = arguments_of(module.slow_flow, slow)
         motion = slow_motion(module, start, times, own)
         states = shape(times, motion)
         known = {p.name: exact[p.name] for p in eom.parameters if p.name in exact}
@@ -259,33 +309,38 @@ def _motion_fit(
         # An integration errs by its tolerance in every radian, and phases add that up.
         floors.append(RTOL * end * float(np.max(np.abs(shape.rates))))
     quantity = "motions at times of order 1/ε"
-    return fit_exponent(quantity, case.order, epsilons, errors, floors)
+    limit = SMALLEST * float(np.abs(amplitudes).max())
+    return fit_exponent(quantity, case.order, epsilons, errors, floors, limit=limit)
 
 
-def _zone_at(case: Expansion, module: Any, numbers: Mapping[Any, Any]) -> Zone:
-    """Critical speeds at numbers, and Floquet's."""
+def _zones_at(case: Expansion, module: Any, numbers: Mapping[Any, Any]) -> tuple[Zone, ...]:
+    """Critical speeds at numbers, and Floquet's; none where there is no zone."""
     (pivot,) = case.relations[0].lhs.free_symbols
     table = {str(getattr(k, "name", k)): float(v) for k, v in numbers.items()}
-    arguments = _arguments(module.critical_speeds, table)
+    arguments = arguments_of(module.critical_speeds, table)
     emitted = tuple(float(e) for e in module.critical_speeds(**arguments))
+    if not np.all(np.isfinite(emitted)):
+        return ()
     width = emitted[1] - emitted[0]
+    if not width > 0:
+        raise CertificateError(f"critical_speeds gives no interval: {emitted[0]} … {emitted[1]}")
     eom = case.weak.scaled.eom
     known = {p.name: p for p in eom.parameters}
     given = {n: v for n, v in table.items() if n in known and n != pivot.name}
     given = {n: v for n, v in given.items() if known[n].definition is None}
+    demand_speed_on_edge(case, module, given, str(pivot.name), emitted)
     interval = (emitted[0] - width, emitted[1] + width)
     found = floquet.boundary(eom, given, pivot, interval, points=401)
     exact, error = _zone(found, sum(emitted) / 2)
-    return Zone(
-        str(pivot.name), known[str(pivot.name)].unit, (emitted[0], emitted[1]), exact, error
-    )
+    unit = known[str(pivot.name)].unit
+    return (Zone(str(pivot.name), unit, (emitted[0], emitted[1]), exact, error),)
 
 
 def _zone(found: floquet.Boundary, centre: float) -> tuple[tuple[float, float], float]:
     """The zone of Floquet's that holds a point, and the error of its edges."""
     for low, high in found.zones:
         if low <= centre <= high:
-            return (float(low), float(high)), float(np.max(found.error))
+            return (float(low), float(high)), float(np.max(found.error, initial=0.0))
     raise CertificateError(
         f"Floquet finds no zone of instability about {centre:.6g}, where the case claims one"
     )

@@ -70,15 +70,20 @@ class Emission:
         return self._render(self.cases)
 
     @cached_property
-    def certificates(self) -> dict[str, Certificate]:
-        """The certificate of every case, by the name of its module."""
+    def _judged(self) -> dict[str, Certificate | CertificateError]:
+        """The certificate of every case, or why there is none, by the name of its module."""
         names = [case_name(case) for case in self.cases]
         modules = load_files(self._rendered, names)
         folder = os.environ.get(KEPT)
-        return {
-            name: self._certificate(case, modules[name], Path(folder) if folder else None)
-            for name, case in zip(names, self.cases, strict=True)
-        }
+        judged: dict[str, Certificate | CertificateError] = {}
+        for name, case in zip(names, self.cases, strict=True):
+            try:
+                judged[name] = self._certificate(
+                    case, modules[name], Path(folder) if folder else None
+                )
+            except CertificateError as error:
+                judged[name] = error
+        return judged
 
     def _certificate(self, case: Expansion, module: Any, folder: Path | None) -> Certificate:
         """The certificate of one case, kept in a folder if there is one."""
@@ -90,13 +95,31 @@ class Emission:
             for path, text in self._rendered.items()
             if Path(path).name == own or Path(path).name.startswith("_")
         }
+        # What is certified, and what it is compared with.
+        texts["exact"] = str(case.weak.scaled.eom)
+        texts["scaling"] = str(case.weak.scaled.orders)
         key = certificate_key(texts, samples, numbers)
         return kept(folder, key, lambda: certify(case, samples, functions=module, numbers=numbers))
+
+    @cached_property
+    def certificates(self) -> dict[str, Certificate]:
+        """The certificates, by the name of the module; of a case without one see `failures`."""
+        return {name: c for name, c in self._judged.items() if isinstance(c, Certificate)}
 
     @property
     def failures(self) -> tuple[str, ...]:
         """What fails, one line for each case that may not be emitted."""
-        return tuple(c.failure for c in self.certificates.values() if not c.passed)
+        return tuple(
+            str(c) if isinstance(c, CertificateError) else c.failure
+            for c in self._judged.values()
+            if isinstance(c, CertificateError) or not c.passed
+        )
+
+    @property
+    def held(self) -> tuple[Expansion, ...]:
+        """The cases whose certificates hold: those that are emitted."""
+        passed = {name for name, c in self.certificates.items() if c.passed}
+        return tuple(case for case in self.cases if case_name(case) in passed)
 
     def files(self) -> dict[str, str]:
         """The files of the emitted package, certificates included: relative path → text.
@@ -106,11 +129,12 @@ class Emission:
         Raises
         ------
         CertificateError
-            If no case holds.
+            If no case holds, with what fails.
         """
-        held = [case for case in self.cases if self.certificates[case_name(case)].passed]
+        held = self.held
         if not held:
-            raise CertificateError("no case has a certificate that holds: nothing is emitted")
+            reasons = "; ".join(self.failures)
+            raise CertificateError(f"no case has a certificate that holds: {reasons}")
         files = dict(self._rendered) if len(held) == len(self.cases) else self._render(held)
         for case in held:
             name = case_name(case)
@@ -141,6 +165,6 @@ def publish(emission: Emission, figures: Mapping[str, Any] | None = None) -> str
             figure.savefig(folder / f"{name}.png", dpi=150, metadata={"Software": None})
         text = json.dumps({"files": files, "failures": emission.failures}, ensure_ascii=False)
         write_atomically(folder / "emission.json", text)
-    lines = [f"{len(files)} files for {emission.model}, {len(emission.cases)} cases"]
+    lines = [f"{len(files)} files for {emission.model}, {len(emission.held)} cases"]
     lines += [f"not emitted: {failure}" for failure in emission.failures]
     return "\n".join(lines)

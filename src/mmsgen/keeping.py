@@ -78,6 +78,7 @@ def _read(data: dict) -> Certificate:  # type: ignore[type-arg]
             tuple(f["errors"]),
             tuple(f["floors"]),
             f["exponent"],
+            f["limit"],
         )
         for f in data["fits"]
     )
