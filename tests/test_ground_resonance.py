@@ -151,6 +151,26 @@ def test_isotropic_support(n: int) -> None:
         both.boundary()
 
 
+@pytest.mark.parametrize("split", [-0.2, -0.01, 0.03, 0.3])
+def test_supports_of_nearly_one_frequency(split: float) -> None:
+    """ω_y = ω_x + σ_2: a cubic factor, whose discriminant is the criterion in σ_1.
+
+    Inside of the zone nearest to zero the growth is positive, beside it and at its edges not: by
+    more than 1e-3 a hundredth of the width inside, where it goes like the square root of the
+    distance, and less than √1e-16 of the size outside.
+    """
+    flow = flow_of(by_hand(3), 1, {Omega: w_x + w_phi, w_y: w_x})
+    cubic = [v for v in flow.stability.verdicts if v.factor.degree == 3]
+    assert len(cubic) == 1 and cubic[0].kind == "conservative"
+    numbers = {"r_m": 0.1, "r_b": 0.2, "omega_x": 1.0, "omega_phi": 0.6, "sigma_2": split}
+    low, high = flow.boundaries(numbers)
+    width = high - low
+    assert width > 0.05
+    for place, unstable in ((-0.01, False), (0.01, True), (0.5, True), (0.99, True), (1.01, False)):
+        rate = flow.growth_rate({**numbers, "sigma_1": low + place * width})
+        assert rate > 1e-3 if unstable else rate < 1e-7
+
+
 def test_coordinates_in_any_order() -> None:
     """Another first coordinate is at rest in the frame then; growth and edges are the same."""
     eom = by_hand(3)

@@ -166,6 +166,7 @@ REFUSALS = [
     (sp.Piecewise((x, x > 0), (0, True)), "Piecewise"),
     (1 / x, r"1/x\(t\) is singular"),
     (sp.sqrt(x), r"sqrt\(x\(t\)\) is singular"),
+    (sp.sqrt(x - 2), r"sqrt\(x\(t\) - 2\)"),
     (x ** sp.Rational(3, 2), r"x\(t\)\*\*\(3/2\) is singular"),
     (sp.log(x), r"log\(x\(t\)\)"),
     (sp.cot(x), r"cot\(x\(t\)\) is singular"),
