@@ -68,61 +68,94 @@ def _indexed(name: str, order: int) -> str:
     return f"{name}_{{{order}}}" if "_" not in name else f"{{{name}}}_{{,{order}}}"
 
 
-def _operators(derivative: int, order: int) -> Iterator[str]:
+def _operators(derivative: int, order: int) -> Iterator[tuple[int, str]]:
     """(d/dt)^derivative at order ε^order, each term with its multiplicity."""
     if derivative == 0:
         if order == 0:
-            yield ""
+            yield 1, ""
     elif derivative == 1:
-        yield f"D_{{{order}}} "
+        yield 1, f"D_{{{order}}} "
     else:
         for a in range(order // 2 + 1):
             b = order - a
-            yield f"D_{{{a}}}^2 " if a == b else f"2 D_{{{a}}} D_{{{b}}} "
+            yield (1, f"D_{{{a}}}^2 ") if a == b else (2, f"D_{{{a}}} D_{{{b}}} ")
 
 
-def _motion(name: str, derivative: int, order: int) -> Iterator[str]:
-    """The ε^order part of a derivative of q, term by term."""
+def _motion(name: str, derivative: int, order: int) -> Iterator[tuple[int, str]]:
+    """The ε^order part of a derivative of q, each term with its multiplicity."""
     for k in range(order + 1):
-        for operator in _operators(derivative, order - k):
-            yield f"{operator}{_indexed(name, k)}"
+        for number, operator in _operators(derivative, order - k):
+            yield number, f"{operator}{_indexed(name, k)}"
 
 
 def _kinematic_terms(name: str, order: int) -> Iterator[str]:
     """−q'' at one order, without D_0² of the unknown."""
     for k in range(order):
-        for operator in _operators(2, order - k):
-            yield f"-{operator}{_indexed(name, k)}"
+        for number, operator in _operators(2, order - k):
+            yield f"-{_times(number, operator + _indexed(name, k))}"
+
+
+def _times(number: int, text: str) -> str:
+    return text if number == 1 else f"{number} {text}"
 
 
 def _products(
     coefficient: sp.Expr, factors: Sequence[int], names: Sequence[str], order: int
 ) -> list[str]:
     """The ε^order part of −coefficient·Π factors, as one term with a bracket where needed."""
-    sums = list(_distributed(factors, names, order))
-    if not sums:
+    # Equal products come up once for each order of their factors.
+    counts: dict[_Product, int] = {}
+    for number, product in _distributed(factors, names, order):
+        key = tuple(sorted(product))
+        counts[key] = counts.get(key, 0) + number
+    if not counts:
         return []
-    negative = sp.latex(-coefficient)
-    if isinstance(-coefficient, sp.Add):
-        negative = rf"\left({negative}\right)"
-    if sums == [""]:
-        return [negative]
-    body = sums[0] if len(sums) == 1 else rf"\left({_joined(sums)}\right)"
-    if negative in ("1", "-1"):
-        return [f"{negative[:-1]}{body}"]
-    return [f"{negative} {body}"]
+    single = next(iter(counts.values())) if len(counts) == 1 else 1
+    coefficient = -coefficient * single
+    leading = sp.latex(coefficient)
+    if isinstance(coefficient, sp.Add):
+        leading = rf"\left({leading}\right)"
+    if not factors:
+        return [leading]
+    if len(counts) == 1:
+        body = _shown(next(iter(counts)))
+    else:
+        body = rf"\left({_joined([_times(n, _shown(p)) for p, n in counts.items()])}\right)"
+    if leading in ("1", "-1"):
+        return [f"{leading[:-1]}{body}"]
+    return [f"{leading} {body}"]
 
 
-def _distributed(factors: Sequence[int], names: Sequence[str], order: int) -> Iterator[str]:
+_Product = tuple[tuple[int, int, str], ...]
+"""Factors, each with its variable and its place among the terms of that variable, and its text."""
+
+
+def _distributed(
+    factors: Sequence[int], names: Sequence[str], order: int
+) -> Iterator[tuple[int, _Product]]:
+    """Every product of one term of each factor, with the number of its occurrences."""
     if not factors:
         if order == 0:
-            yield ""
+            yield 1, ()
         return
     derivative, i = divmod(factors[0], len(names))
     for k in range(order + 1):
-        for head in _motion(names[i], derivative, k):
-            for tail in _distributed(factors[1:], names, order - k):
-                yield f"{head} {tail}".strip()
+        for place, (number, text) in enumerate(_motion(names[i], derivative, k)):
+            own = (factors[0], 1000 * k + place, text)
+            for others, tail in _distributed(factors[1:], names, order - k):
+                yield number * others, (own, *tail)
+
+
+def _shown(product: _Product) -> str:
+    """A product with powers; an operator acts on what stands in its own brackets."""
+    texts = [text for *_, text in product]
+    parts = []
+    for text in dict.fromkeys(texts):
+        power = texts.count(text)
+        bracketed = (text.startswith("D_") and len(texts) > 1) or (power > 1 and "^" in text)
+        part = rf"\left({text}\right)" if bracketed else text
+        parts.append(part if power == 1 else f"{part}^{{{power}}}")
+    return " ".join(parts)
 
 
 def _joined(terms: Sequence[str]) -> str:

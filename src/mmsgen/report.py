@@ -117,11 +117,11 @@ class Statement:
 
 
 def _merged_roots(term: sp.Expr) -> sp.Expr:
-    """A product with all its square roots under one."""
+    """A product with all its square roots under one, as far as that changes no sign."""
     inside, outside = [], []
     for factor in sp.Mul.make_args(term):
         base, exponent = factor.as_base_exp()
-        if factor != sp.I and exponent.is_Rational and exponent.q == 2:
+        if factor != sp.I and exponent.is_Rational and exponent.q == 2 and base.is_nonnegative:
             inside.append(base ** (2 * exponent))
         else:
             outside.append(factor)
@@ -215,7 +215,7 @@ def orders(scaled: ScaledSystem, order: int, only: Sequence[sp.Expr] | None = No
     chosen = found if only is None else {q: found[q] for q in only}
     lines: list[str] = []
     for left, terms in chosen.values():
-        pieces = [f"- {t[1:]}" if t.startswith("-") else f"+ {t}" for t in terms] or ["0"]
+        pieces = [f"- {t[1:].lstrip()}" if t[0] == "-" else f"+ {t}" for t in terms] or ["0"]
         first, *others = _wrapped([pieces[0].removeprefix("+ "), *pieces[1:]])
         lines += [f"{left} &= {first}", *(f"&\\quad {line}" for line in others)]
     return Formula(tuple(lines))
