@@ -1,0 +1,116 @@
+"""Figures: axes that a user can restyle, drawn without a display."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+matplotlib = pytest.importorskip("matplotlib")
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.axes import Axes  # noqa: E402
+from matplotlib.figure import Figure  # noqa: E402
+
+from mmsgen import plotting  # noqa: E402
+from mmsgen.certificate import Certificate, fit_exponent  # noqa: E402
+
+SPEEDS = np.linspace(4.0, 6.0, 21)
+CURVES = {f"order {k}": np.clip(k - (SPEEDS - 5) ** 2, 0, None) for k in range(1, 9)}
+REFERENCE = (SPEEDS[::5], CURVES["order 2"][::5])
+EPSILONS = tuple(2.0**-k for k in range(3, 15))
+
+
+def certificate(order: int, relation: str = "Omega = 2*omega") -> Certificate:
+    fits = tuple(
+        fit_exponent(q, order + 1, EPSILONS, [c * e ** (order + 1) for e in EPSILONS], [1e-15] * 12)
+        for q, c in (("characteristic exponents", 1.0), ("edges of the zone", 0.5))
+    )
+    return Certificate(relation, order, (), fits)
+
+
+@pytest.fixture(autouse=True)
+def no_figure_left() -> object:
+    plt.close("all")
+    yield
+    plt.close("all")
+
+
+def test_growth_rates_on_new_axes() -> None:
+    zones = [(4.5, 4.8), (5.2, 5.6)]
+    axes = plotting.growth_rates(SPEEDS, REFERENCE, CURVES, zones, xlabel="Ω (rad/s)")
+    assert isinstance(axes, Axes)
+    assert axes.get_xlabel() == "Ω (rad/s)"
+    assert axes.get_ylabel() == "growth rate (1/s)"
+    lines = {line.get_label(): line for line in axes.get_lines()}
+    assert set(lines) == {*CURVES, "Floquet"}
+    np.testing.assert_array_equal(lines["order 3"].get_ydata(), CURVES["order 3"])
+    np.testing.assert_array_equal(lines["Floquet"].get_xdata(), REFERENCE[0])
+    styles = {(line.get_color(), line.get_linestyle()) for line in axes.get_lines()}
+    assert len(styles) == len(CURVES) + 1
+    texts = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert texts.count("unstable (Floquet)") == 1
+    assert axes.get_xlim() == (4.0, 6.0)
+    assert axes.get_ylim()[0] == 0
+    spans = [patch.get_extents().transformed(axes.transData.inverted()) for patch in axes.patches]
+    # transformed to pixels and back, which rounds
+    np.testing.assert_allclose([(s.x0, s.x1) for s in spans], zones, rtol=1e-12)
+
+
+def test_convergence_on_new_axes() -> None:
+    axes = plotting.convergence([certificate(1), certificate(2)])
+    points, slopes = axes.get_lines()[::2], axes.get_lines()[1::2]
+    assert [p.get_label() for p in points] == [
+        "Omega = 2*omega, order 1: 2.00",
+        "Omega = 2*omega, order 2: 3.00",
+    ]
+    assert points[0].get_color() != points[1].get_color()
+    for order, line in zip((1, 2), slopes, strict=True):
+        x, y = (np.log(line.get_xdata()), np.log(line.get_ydata()))
+        # a straight line through rounded logarithms
+        np.testing.assert_allclose(np.diff(y) / np.diff(x), order + 1, rtol=1e-12)
+    # what the reference does not resolve is not drawn
+    assert len(points[1].get_xdata()) == sum(certificate(2).fits[0].resolved) < 12
+
+
+def test_convergence_of_another_quantity_with_labels() -> None:
+    axes = plotting.convergence([certificate(1)], ["mine"], quantity="edges of the zone")
+    assert axes.get_lines()[0].get_label() == "mine: 2.00"
+    assert axes.get_lines()[0].get_ydata()[0] == 0.5 * EPSILONS[0] ** 2
+    assert axes.get_ylabel() == "error of the edges of the zone (1/s)"
+
+
+def test_given_axes_leave_no_state_behind() -> None:
+    settings = dict(matplotlib.rcParams)
+    figure = Figure()
+    for axes, drawn in (
+        (
+            figure.add_subplot(121),
+            lambda a: plotting.growth_rates(SPEEDS, REFERENCE, CURVES, axes=a),
+        ),
+        (figure.add_subplot(122), lambda a: plotting.convergence([certificate(1)], axes=a)),
+    ):
+        assert drawn(axes) is axes
+    assert plt.get_fignums() == []
+    assert dict(matplotlib.rcParams) == settings
+
+
+def test_no_display_is_needed() -> None:
+    code = (
+        "import numpy as np\n"
+        "from mmsgen import plotting\n"
+        "s = np.linspace(1, 2, 5)\n"
+        "axes = plotting.growth_rates(s, (s, s), {'order 1': s})\n"
+        "axes.figure.canvas.draw()\n"
+    )
+    environment = {
+        k: v for k, v in os.environ.items() if k not in ("DISPLAY", "WAYLAND_DISPLAY", "MPLBACKEND")
+    }
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
