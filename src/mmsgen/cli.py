@@ -7,10 +7,9 @@ from typing import Annotated
 
 import typer
 from rich.console import Console
-from rich.status import Status
 
 from .errors import MmsgenError
-from .pipeline import demand, find_project
+from .pipeline import Outcome, Project, find_project
 from .pipeline import make as make_one
 
 __all__ = ["app"]
@@ -32,29 +31,47 @@ def make(
     ] = False,
 ) -> None:
     """Run derivations: execute the notebook, certify, emit; write only what has changed."""
+    different, failed = False, False
     try:
         project = find_project()
-        for name in derivations or project.names():
+        names = derivations or list(project.names())
+        if not names:
+            raise MmsgenError(f"there is no derivation in {project.derivations}")
+        for name in names:
             project.script(name)
-        different = False
-        for name in derivations or project.names():
-            start = time.perf_counter()
-            with console.status(f"{name}: starting") as status:
-
-                def show(cell: int, cells: int, name: str = name, status: Status = status) -> None:
-                    status.update(f"{name}: cell {cell + 1} of {cells}")
-
-                outcome = make_one(project, name, check=check, progress=show)
-            word = "differ" if check else "changed"
-            seconds = time.perf_counter() - start
-            console.print(f"{name}: {len(outcome.changed)} files {word}, {seconds:.0f} s")
-            for path in outcome.changed:
-                console.print(f"  {path}", soft_wrap=True)
-            demand(outcome)
+        for name in names:
+            outcome = _make(project, name, check)
             different |= bool(outcome.changed)
+            # The other derivations are made all the same.
+            for failure in outcome.failures:
+                failed = True
+                _say(f"mmsgen: not emitted: {failure}")
     except MmsgenError as error:
-        console.print(f"mmsgen: {error}", markup=False)
+        _say(f"mmsgen: {error}")
         raise typer.Exit(1) from None
     if check and different:
-        console.print("the committed output differs from fresh output: run make and commit it")
+        _say("the committed output differs from fresh output: run make and commit it")
+    if failed or (check and different):
         raise typer.Exit(1)
+
+
+def _make(project: Project, name: str, check: bool) -> Outcome:
+    """Make one derivation, and say what has changed."""
+    start = time.perf_counter()
+    with console.status(f"{name}: starting") as status:
+
+        def show(cell: int, cells: int) -> None:
+            status.update(f"{name}: cell {cell + 1} of {cells}")
+
+        outcome = make_one(project, name, check=check, progress=show)
+    word = "differ" if check else "changed"
+    seconds = time.perf_counter() - start
+    _say(f"{name}: {len(outcome.changed)} files {word}, {seconds:.0f} s")
+    for path in outcome.changed:
+        _say(f"  {path}")
+    return outcome
+
+
+def _say(text: str) -> None:
+    """A line on standard error, as it is, however long."""
+    console.print(text, markup=False, soft_wrap=True)

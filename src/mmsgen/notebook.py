@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import base64
 import io
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,9 @@ IMAGE_TOLERANCE = 0.02
 Fonts and anti-aliasing differ between machines by about 0.01; a curve that moves by its own
 width over a tenth of a figure differs by more than 0.02.
 """
+
+_COLOURS = re.compile(r"\x1b\[[0-9;]*m")
+"""How a traceback is coloured for a terminal."""
 
 TIMEOUT = 600
 """Seconds for one cell."""
@@ -55,13 +59,24 @@ def execute(
     Raises
     ------
     MmsgenError
-        If a cell fails; the message holds its traceback.
+        If a cell fails, the message holding its traceback, or the kernel does; or if the extra
+        ``notebook`` is not installed.
     """
-    import jupytext
-    from nbclient import NotebookClient
-    from nbclient.exceptions import CellExecutionError
+    try:
+        import jupytext
+        from nbclient import NotebookClient
+        from nbclient.exceptions import (
+            CellExecutionError,
+            CellTimeoutError,
+            DeadKernelError,
+        )
+    except ModuleNotFoundError as error:
+        raise MmsgenError(
+            f"executing notebooks needs {error.name}: install it with pip install "
+            "'mmsgen[notebook]'"
+        ) from None
 
-    notebook = jupytext.read(script)
+    notebook = jupytext.read(script, fmt="py:percent")
     client = NotebookClient(
         notebook,
         timeout=TIMEOUT,
@@ -76,7 +91,10 @@ def execute(
     try:
         client.execute(env=environment)
     except CellExecutionError as error:
-        raise MmsgenError(f"{script.name} fails when executed:\n{error}") from None
+        text = _COLOURS.sub("", str(error))
+        raise MmsgenError(f"{script.name} fails when executed:\n{text}") from None
+    except (CellTimeoutError, DeadKernelError) as error:
+        raise MmsgenError(f"{script.name} cannot be executed: {error}") from None
     return _normalised(notebook)
 
 
@@ -97,6 +115,17 @@ def _normalised(notebook: Any) -> Any:
     return notebook
 
 
+def read(path: Path) -> Any:
+    """The notebook of a file; an empty one where there is none that can be read."""
+    import nbformat
+
+    try:
+        return nbformat.read(path, as_version=4)
+    except (OSError, ValueError, TypeError, LookupError, AttributeError, nbformat.ValidationError):
+        # Whatever a file holds that no program has written; it is only a source of images.
+        return nbformat.v4.new_notebook()
+
+
 def keep_images(notebook: Any, committed: Any) -> None:
     """Put the committed figures into a notebook where its own agree with them."""
     for cell, old in zip(notebook.cells, committed.cells, strict=False):
@@ -111,12 +140,15 @@ def keep_images(notebook: Any, committed: Any) -> None:
 
 
 def images_agree(first: bytes, second: bytes) -> bool:
-    """Whether two PNG images show the same within `IMAGE_TOLERANCE`."""
+    """Whether two PNG images show the same within `IMAGE_TOLERANCE`; not so if one is none."""
     if first == second:
         return True
     from matplotlib.image import imread
 
-    a, b = (imread(io.BytesIO(data), format="png").astype(float) for data in (first, second))
+    try:
+        a, b = (imread(io.BytesIO(data), format="png").astype(float) for data in (first, second))
+    except (OSError, SyntaxError, ValueError):
+        return False
     if a.shape != b.shape:
         return False
     return bool(np.sqrt(np.mean((a - b) ** 2)) < IMAGE_TOLERANCE)

@@ -1,7 +1,7 @@
 """The stages of `make`, in order.
 
     execute    derivations/NAME.py                  -> executed notebook, staged emission
-    demand     staged emission                      -> files of the cases whose certificates hold
+    read       staged emission                      -> files of the cases whose certificates hold
     compare    files, notebook, figures             -> those that differ from what is committed
     write      what differs                         -> generated/, derivations/, docs/figures/
 
@@ -19,9 +19,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from .emission import KEPT, STAGE
-from .errors import CertificateError, MmsgenError
+from .errors import MmsgenError
 from .files import write_atomically
-from .notebook import execute, images_agree, keep_images, text_of
+from .notebook import execute, images_agree, keep_images, read, text_of
 
 __all__ = ["Outcome", "Project", "make"]
 
@@ -133,10 +133,7 @@ def make(
         environment["PYTHONPATH"] = os.pathsep.join(filter(None, search))
         notebook = execute(script, environment, project.derivations, progress)
         target = script.with_suffix(".ipynb")
-        if target.is_file():
-            import nbformat
-
-            keep_images(notebook, nbformat.read(target, as_version=4))
+        keep_images(notebook, read(target))
         staged = stage / "emission.json"
         if not staged.is_file():
             raise MmsgenError(f"{script.name} publishes nothing: end it with mmsgen.publish(...)")
@@ -179,18 +176,6 @@ def _stale(project: Project, name: str, contents: dict[Path, str | bytes]) -> It
         for path in sorted(folder.iterdir()):
             if path.is_file() and path not in contents:
                 yield path
-
-
-def demand(outcome: Outcome) -> None:
-    """Raise if a case of a derivation was not emitted.
-
-    Raises
-    ------
-    CertificateError
-        Naming every such case.
-    """
-    if outcome.failures:
-        raise CertificateError("not emitted: " + "; ".join(outcome.failures))
 
 
 def find_project(start: Path | None = None) -> Project:
