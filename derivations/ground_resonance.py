@@ -24,6 +24,8 @@
 # | the emitted functions | 10 |
 
 # %%
+import inspect
+
 import numpy as np
 import rotor
 import sympy as sp
@@ -49,9 +51,18 @@ from mmsgen import plotting, report
 #     + \tfrac12 I_k(\Omega + \dot\phi_k)^2\right], \qquad
 #   V = \tfrac12 K_x x^2 + \tfrac12 K_y y^2 + \sum_k \tfrac12 K_{bk}\phi_k^2$$
 #
-# and Rayleigh's dissipation function for the dampers, the Lagrangian is built by
-# `rotor.helicopter`, for any number of blades, each with its own mass, inertia, spring and damper.
-# Nothing is linearised.
+# and Rayleigh's dissipation function for the dampers, the Lagrangian is built for any number of
+# blades, each with its own mass, inertia, spring and damper. Nothing is linearised. The code that
+# does it stands in `derivations/rotor.py`, which other derivations share:
+
+
+# %%
+def source(*functions):
+    """The code of functions, to be read here."""
+    return Markdown("```python\n" + "\n\n".join(map(inspect.getsource, functions)) + "```")
+
+
+source(rotor.azimuth, rotor.helicopter)
 
 # %%
 N_b = 4
@@ -97,6 +108,9 @@ report.equations(linear, only=[x, phi_1])
 #
 # `reparametrise` puts these in and raises an error if any old parameter is left in any equation,
 # so that what follows is proved to depend on the new ones alone.
+
+# %%
+source(rotor.in_ratios)
 
 # %%
 ratios = rotor.in_ratios(linear)

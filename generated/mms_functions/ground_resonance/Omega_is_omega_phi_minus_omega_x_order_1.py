@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 195d0db4be6fb2f78a92209e37ead68e06da97561a53e5ce1fe1ee02ae1f7b46
+# Made from sha256 70960de1e7b617b9b3843e7abafc1b8735c79bb815c77397a40391984cebf42a
 # Operations for each point: growth_rate 8, slow_flow_matrix 7, characteristic_coefficients 8,
 # slow_flow 31
 """ground_resonance: Omega = omega_phi - omega_x + sigma, order 1.

@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 dad03de8d3d6d2c1d3d4c2b7c38c3c1a7d94980aca1ae0b0e976ed5a22e68a60
+# Made from sha256 b663d62df2299be3ba4850484ab484d0b77a8bdd5a63decfce4973fab3bba8ee
 # Operations for each point: growth_rate 73, slow_flow_matrix 92, characteristic_coefficients 109,
 # slow_flow 151
 """ground_resonance: Omega = omega_phi - omega_x + sigma, order 2.
@@ -11,8 +11,9 @@ It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
 omega_x**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
 mode turns without growing.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
-omega_x + omega_y, -2*omega_phi + omega_x - omega_y, -omega_phi + omega_x, omega_x - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: -2*omega_phi + omega_x + omega_y, -2*omega_phi + omega_x - omega_y,
+-omega_phi + omega_x, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

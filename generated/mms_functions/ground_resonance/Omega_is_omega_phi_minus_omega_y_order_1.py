@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 e62ed90ec9feeddb354a0568a1bf581e4714e8f648e398ea1ff8d781f97a9217
+# Made from sha256 c228df480c24b2ea040dd7c412b4dd22c5f70374d9d21cd00c65f62783b742a8
 # Operations for each point: growth_rate 8, slow_flow_matrix 7, characteristic_coefficients 8,
 # slow_flow 31
 """ground_resonance: Omega = omega_phi - omega_y + sigma, order 1.

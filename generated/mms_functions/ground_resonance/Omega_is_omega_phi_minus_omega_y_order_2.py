@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 e0a190b92bf01bbf81a76a16e9f32df81b70bd7c53843323e78e859b1be5185e
+# Made from sha256 5288a22e133a6687c5174ae309f426465caf93b901ec3e761499998211aca040
 # Operations for each point: growth_rate 73, slow_flow_matrix 91, characteristic_coefficients 105,
 # slow_flow 140
 """ground_resonance: Omega = omega_phi - omega_y + sigma, order 2.
@@ -11,8 +11,9 @@ It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
 omega_y**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
 mode turns without growing.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
-omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: -2*omega_phi + omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x
+- omega_y, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

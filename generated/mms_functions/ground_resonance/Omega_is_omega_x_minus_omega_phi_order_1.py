@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 edc7c750e369a1340866d5fa2555cfa38c96df11e993af48c69b0d5ae9dfd938
+# Made from sha256 fe274679c211578780c13df158407ba374fae64cf5b5322e6ba707959a73fff9
 # Operations for each point: growth_rate 8, slow_flow_matrix 7, characteristic_coefficients 8,
 # slow_flow 26
 """ground_resonance: Omega = omega_x - omega_phi + sigma, order 1.

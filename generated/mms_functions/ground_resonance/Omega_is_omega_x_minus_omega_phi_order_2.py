@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 149d0931d372ab255b6fbcbe676ef5710a7343b8cddcdf2ce4fbf81bfc4c2ae4
+# Made from sha256 ff9a30e819594884fcb32615c7aba448336480b261008557fdbf35d2976d6ec0
 # Operations for each point: growth_rate 73, slow_flow_matrix 89, characteristic_coefficients 109,
 # slow_flow 158
 """ground_resonance: Omega = omega_x - omega_phi + sigma, order 2.
@@ -11,8 +11,9 @@ It cannot be unstable: the discriminant of Gamma**2 - I*Gamma*sigma +
 omega_x**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
 mode turns without growing.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
-omega_x + omega_y, -2*omega_phi + omega_x - omega_y, -omega_phi + omega_x, omega_x - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: -2*omega_phi + omega_x + omega_y, -2*omega_phi + omega_x - omega_y,
+-omega_phi + omega_x, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

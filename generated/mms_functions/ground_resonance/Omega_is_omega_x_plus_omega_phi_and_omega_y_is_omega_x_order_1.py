@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 e7519aecbdc1548c4c86a0c17da1194bea0ea5371f304bd31c55179637290168
+# Made from sha256 85c1f25931af8576c5e96eadf62d6ce78acd5c9472f6d7f40c32d60a3f2a7643
 # Operations for each point: growth_rate 12, boundaries 50, detuning 9, slow_flow_matrix 7,
 # characteristic_coefficients 15, slow_flow 46
 """ground_resonance: Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2, order 1.
@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._edges import implicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -27,9 +28,7 @@ from .._runtime import (
     evaluate,
     evaluate_array,
     evaluate_pair,
-    implicit_edges,
     multiply_out,
-    zone,
 )
 
 if TYPE_CHECKING:
@@ -113,25 +112,25 @@ def _boundaries(sigma_2, r_m, r_b, omega_x, omega_phi):
     x3 = r_b * r_m * x0 * x2
     x4 = omega_phi * omega_phi
     x5 = 1 / x4
-    x6 = x2 * x2
-    x7 = r_b * r_b
-    x8 = r_m * r_m
-    x9 = x5 * x6 * x7 * x8
-    x10 = sigma_2 * sigma_2
-    x11 = x10 * x10
-    x12 = omega_phi * x4
-    x13 = x1 * x1
-    x14 = x1 * x2
-    x15 = x13 * x14
-    x16 = r_b * x7
-    x17 = r_m * x8
-    x18 = sigma_2 * x10
+    x6 = x1 * x1
+    x7 = x1 * x6
+    x8 = r_b * r_b
+    x9 = r_m * r_m
+    x10 = x5 * x7 * x8 * x9
+    x11 = sigma_2 * sigma_2
+    x12 = x11 * x11
+    x13 = omega_phi * x4
+    x14 = x6 * x6
+    x15 = omega_x * x14
+    x16 = r_b * x8
+    x17 = r_m * x9
+    x18 = sigma_2 * x11
     # Outputs
-    p0 = x11 * x3 + 1 / 2 * x15 * x16 * x17 / x12 - 13 / 16 * x10 * x9
-    p1 = 1 / 4 * sigma_2 * x5 * x6 * x7 * x8 - 5 / 2 * x18 * x3
-    p2 = 5 / 2 * r_b * r_m * x0 * x10 * x2 - x11 - 1 / 4 * x9
+    p0 = x12 * x3 + 1 / 2 * x15 * x16 * x17 / x13 - 13 / 16 * x10 * x11
+    p1 = 1 / 4 * sigma_2 * x5 * x7 * x8 * x9 - 5 / 2 * x18 * x3
+    p2 = 5 / 2 * r_b * r_m * x0 * x11 * x2 - 1 / 4 * x10 - x12
     p3 = 2 * x18
-    p4 = -x10
+    p4 = -x11
     return zone(p0, p1, p2, p3, p4)
 
 

@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 d832e3c24abc2e004dabbe8e5fbb3aecd68e2cbbb4fbc5ab9dfc96bcb4356b53
+# Made from sha256 498bc0566c5e1e8fed115c8a774da1a2ee8363c538a3f89cbe357317d3809607
 # Operations for each point: growth_rate 8, boundaries 7, detuning 8, slow_flow_matrix 7,
 # characteristic_coefficients 8, slow_flow 31
 """ground_resonance: Omega = omega_x + omega_phi + sigma, order 1.
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._edges import implicit_edges
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -26,7 +27,6 @@ from .._runtime import (
     evaluate_array,
     evaluate_pair,
     growing,
-    implicit_edges,
     multiply_out,
 )
 

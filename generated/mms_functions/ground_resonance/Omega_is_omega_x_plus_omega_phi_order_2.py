@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 a7ed2256a3667271718b2c3cc96d046d5b2aca76a6fb70e8b64b02e7b36ce171
+# Made from sha256 c00573d598352c97216e26d65c74d9b1a8023f594ca9d8a461ce6353e6ed86b3
 # Operations for each point: growth_rate 75, boundaries 44, detuning 8, slow_flow_matrix 90,
 # characteristic_coefficients 110, slow_flow 155
 """ground_resonance: Omega = omega_x + omega_phi + sigma, order 2.
@@ -10,8 +10,8 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 It can be unstable: the discriminant of Gamma**2 - I*Gamma*sigma - omega_x**3*r_b*r_m/(4*omega_phi)
 is positive in an interval of the detuning.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: 2*omega_phi +
-omega_x - omega_y, omega_x - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -22,14 +22,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._edges import implicit_edges
 from .._runtime import (
     checked,
     checked_amplitudes,
+    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
     growing,
-    implicit_edges,
     multiply_out,
 )
 
@@ -140,7 +141,7 @@ def _boundaries(r_m, r_b, omega_x, omega_y, omega_phi):
     # Outputs
     lower = 1 / 4 * r_b * r_m * x0 * x1 * x7 + 1 / 4 * r_b * r_m * x0 * x2 * x7 - x6 - x9
     upper = x1 * x10 + x10 * x2 + x9 - x6
-    return lower, upper
+    return defined(lower, upper)
 
 
 def _detuning(Omega, r_m, r_b, omega_x, omega_y, r_a, omega_b):

@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 4610d7d89a2991c6e1790684097d781497867dfc8d51cabfb23fda57c26aedcc
+# Made from sha256 83cdcce08c19f690ff4c0d1e3a67fcb017ea5b623d85170fb0fb1d055885d6a4
 # Operations for each point: growth_rate 8, slow_flow_matrix 7, characteristic_coefficients 8,
 # slow_flow 31
 """ground_resonance: Omega = omega_y - omega_phi + sigma, order 1.

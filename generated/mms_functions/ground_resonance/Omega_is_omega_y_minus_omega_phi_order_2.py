@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 863004c97810e621c61c6e5d77b1549208b878ea60c785db51c4879bdcd4a600
+# Made from sha256 d72523a0e2b5c1f9cc5d03c7da2d9547edaae07736311568bac356411d3256ba
 # Operations for each point: growth_rate 75, slow_flow_matrix 88, characteristic_coefficients 105,
 # slow_flow 147
 """ground_resonance: Omega = omega_y - omega_phi + sigma, order 2.
@@ -11,8 +11,9 @@ It cannot be unstable: the discriminant of Gamma**2 - I*Gamma*sigma +
 omega_y**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
 mode turns without growing.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
-omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: -2*omega_phi + omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x
+- omega_y, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 7e96abf79e45ba2d08e4d66a6b1e4d8ddbf4987c874126059ad0ec053fcb388a
+# Made from sha256 577338294157ec556fa8d604cab0cca6d23d5f715341c86dcf02371c1863dede
 # Operations for each point: growth_rate 8, boundaries 7, detuning 8, slow_flow_matrix 7,
 # characteristic_coefficients 8, slow_flow 36
 """ground_resonance: Omega = omega_y + omega_phi + sigma, order 1.
@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._edges import implicit_edges
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -26,7 +27,6 @@ from .._runtime import (
     evaluate_array,
     evaluate_pair,
     growing,
-    implicit_edges,
     multiply_out,
 )
 

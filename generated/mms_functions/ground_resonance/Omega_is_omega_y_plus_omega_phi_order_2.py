@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 6e7bcdf77f043394097630ba9c989b71f093b1a1bf6d175d6cd2864cf7569cc5
+# Made from sha256 17f01589af0eea9f47dac9fca6e2fdf0823a62641a8a5c1fdbc2790ee4965e88
 # Operations for each point: growth_rate 77, boundaries 39, detuning 8, slow_flow_matrix 91,
 # characteristic_coefficients 111, slow_flow 161
 """ground_resonance: Omega = omega_y + omega_phi + sigma, order 2.
@@ -10,8 +10,8 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 It can be unstable: the discriminant of Gamma**2 - I*Gamma*sigma - omega_y**3*r_b*r_m/(4*omega_phi)
 is positive in an interval of the detuning.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: -2*omega_phi +
-omega_x - omega_y, omega_x - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: -2*omega_phi + omega_x - omega_y, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -22,14 +22,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._edges import implicit_edges
 from .._runtime import (
     checked,
     checked_amplitudes,
+    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
     growing,
-    implicit_edges,
     multiply_out,
 )
 
@@ -140,7 +141,7 @@ def _boundaries(r_m, r_b, omega_x, omega_y, omega_phi):
     # Outputs
     lower = 1 / 4 * r_b * r_m * x0 * x1 * x4 - x10 - x7 - x9
     upper = x1 * x6 + x10 - x7 - x9
-    return lower, upper
+    return defined(lower, upper)
 
 
 def _detuning(Omega, r_m, r_b, omega_x, omega_y, r_a, omega_b):

@@ -3,7 +3,8 @@
 
 CASES says what there is; a case is imported when it is used:
 
-    from mms_functions.ground_resonance import Omega_is_omega_x_plus_omega_phi_order_1
+    from mms_functions import ground_resonance
+    ground_resonance.Omega_is_omega_x_plus_omega_phi_order_1
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -36,13 +37,14 @@ __all__ = [
     "omega_y_is_omega_x_order_2",
 ]
 
-#: module name -> relation, order, coordinates, whether the case can be unstable (None: that
-#: depends on the parameters), why, and the functions of the module
+#: module name -> relation, kind, order, coordinates that it couples, whether the case can be
+#: unstable (None: that depends on the parameters), why, and the functions of the module
 CASES: dict[str, dict[str, Any]] = {
     "Omega_is_omega_x_plus_omega_phi_order_1": {
         "relation": "Omega = omega_x + omega_phi + sigma",
+        "kind": "sum combination",
         "order": 1,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": True,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma - omega_x**3*r_b*r_m/(4*omega_phi) is "
@@ -59,8 +61,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_x_plus_omega_phi_order_2": {
         "relation": "Omega = omega_x + omega_phi + sigma",
+        "kind": "sum combination",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": True,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma - omega_x**3*r_b*r_m/(4*omega_phi) is "
@@ -77,8 +80,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_y_plus_omega_phi_order_1": {
         "relation": "Omega = omega_y + omega_phi + sigma",
+        "kind": "sum combination",
         "order": 1,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": True,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma - omega_y**3*r_b*r_m/(4*omega_phi) is "
@@ -95,8 +99,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_y_plus_omega_phi_order_2": {
         "relation": "Omega = omega_y + omega_phi + sigma",
+        "kind": "sum combination",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": True,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma - omega_y**3*r_b*r_m/(4*omega_phi) is "
@@ -113,8 +118,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_x_minus_omega_phi_order_1": {
         "relation": "Omega = omega_x - omega_phi + sigma",
+        "kind": "difference combination",
         "order": 1,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma + omega_x**3*r_b*r_m/(4*omega_phi) is "
@@ -132,8 +138,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_x_minus_omega_phi_order_2": {
         "relation": "Omega = omega_x - omega_phi + sigma",
+        "kind": "difference combination",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma + omega_x**3*r_b*r_m/(4*omega_phi) is "
@@ -151,8 +158,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_y_minus_omega_phi_order_1": {
         "relation": "Omega = omega_y - omega_phi + sigma",
+        "kind": "difference combination",
         "order": 1,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma + omega_y**3*r_b*r_m/(4*omega_phi) is "
@@ -170,8 +178,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_y_minus_omega_phi_order_2": {
         "relation": "Omega = omega_y - omega_phi + sigma",
+        "kind": "difference combination",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma + omega_y**3*r_b*r_m/(4*omega_phi) is "
@@ -189,8 +198,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_phi_minus_omega_x_order_1": {
         "relation": "Omega = omega_phi - omega_x + sigma",
+        "kind": "difference combination",
         "order": 1,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 + I*Gamma*sigma + omega_x**3*r_b*r_m/(4*omega_phi) is "
@@ -208,8 +218,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_phi_minus_omega_x_order_2": {
         "relation": "Omega = omega_phi - omega_x + sigma",
+        "kind": "difference combination",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 + I*Gamma*sigma + omega_x**3*r_b*r_m/(4*omega_phi) is "
@@ -227,8 +238,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_phi_minus_omega_y_order_1": {
         "relation": "Omega = omega_phi - omega_y + sigma",
+        "kind": "difference combination",
         "order": 1,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 + I*Gamma*sigma + omega_y**3*r_b*r_m/(4*omega_phi) is "
@@ -246,8 +258,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_phi_minus_omega_y_order_2": {
         "relation": "Omega = omega_phi - omega_y + sigma",
+        "kind": "difference combination",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 + I*Gamma*sigma + omega_y**3*r_b*r_m/(4*omega_phi) is "
@@ -265,6 +278,7 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_x_plus_omega_phi_and_omega_y_is_omega_x_order_1": {
         "relation": "Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2",
+        "kind": "sum combination and internal 1:1",
         "order": 1,
         "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": None,
@@ -284,6 +298,7 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "Omega_is_omega_x_plus_omega_phi_and_omega_y_is_omega_x_order_2": {
         "relation": "Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2",
+        "kind": "sum combination and internal 1:1",
         "order": 2,
         "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": None,
@@ -303,8 +318,9 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "omega_y_is_omega_x_order_2": {
         "relation": "omega_y = omega_x + sigma",
+        "kind": "internal 1:1",
         "order": 2,
-        "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
+        "coordinates": ("x", "y"),
         "unstable": False,
         "reason": (
             "the discriminant of Gamma**2 - I*Gamma*sigma - omega_x**3*r_b*r_m*sigma*(Omega**2 - "
@@ -323,6 +339,7 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "nonresonant_order_1": {
         "relation": "no resonance",
+        "kind": "nonresonant",
         "order": 1,
         "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,
@@ -338,6 +355,7 @@ CASES: dict[str, dict[str, Any]] = {
     },
     "nonresonant_order_2": {
         "relation": "no resonance",
+        "kind": "nonresonant",
         "order": 2,
         "coordinates": ("x", "y", "phi_1", "phi_2", "phi_3", "phi_4"),
         "unstable": False,

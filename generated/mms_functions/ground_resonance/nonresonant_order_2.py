@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 2e8abaefdee912898ef3d708a807b2dda65122e46469d22d5e39ba8cde07090d
+# Made from sha256 4de4c730ea2bfea0d1158140c719dd4607f98b9fc7698746e7d941cbb2ccfe9f
 # Operations for each point: growth_rate 0, slow_flow_matrix 92, characteristic_coefficients 96,
 # slow_flow 155
 """ground_resonance: no resonance, order 2.
@@ -9,9 +9,9 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 
 It cannot be unstable: one mode turns without growing.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: Omega + omega_phi
-- omega_x, Omega + omega_phi - omega_y, Omega - omega_phi + omega_x, Omega - omega_phi + omega_y,
-Omega - omega_phi - omega_x, Omega - omega_phi - omega_y.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: Omega + omega_phi - omega_x, Omega + omega_phi - omega_y, Omega - omega_phi +
+omega_x, Omega - omega_phi + omega_y, Omega - omega_phi - omega_x, Omega - omega_phi - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

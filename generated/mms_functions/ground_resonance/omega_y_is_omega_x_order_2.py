@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 4f7ba629f6205d6af17e2a4fea785457f6d15abd8022d7ea370f6546e6d31c12
-# Operations for each point: growth_rate 31, slow_flow_matrix 63, characteristic_coefficients 46,
+# Made from sha256 31ef6bc607364f899ce503430ffcd90c70898fd20c76c97dec3642a3416e7252
+# Operations for each point: growth_rate 31, slow_flow_matrix 63, characteristic_coefficients 47,
 # slow_flow 105
 """ground_resonance: omega_y = omega_x + sigma, order 2.
 
@@ -12,8 +12,9 @@ omega_x**3*r_b*r_m*sigma*(Omega**2 - omega_phi**2 + omega_x**2)/((Omega - omega_
 omega_x)*(Omega - omega_phi + omega_x)*(Omega + omega_phi - omega_x)*(Omega + omega_phi + omega_x))
 is negative at every detuning, the modes only exchange energy; one mode turns without growing.
 
-NaN where a divisor vanishes, which is a further resonance and a case of its own: Omega + omega_phi
-- omega_x, Omega - omega_phi + omega_x, Omega - omega_phi - omega_x.
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: Omega + omega_phi - omega_x, Omega - omega_phi + omega_x, Omega - omega_phi -
+omega_x.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -182,19 +183,20 @@ def _characteristic_coefficients(out, sigma, Omega, r_m, r_b, omega_x, omega_phi
     x8 = Omega * Omega
     x9 = omega_phi * omega_phi
     x10 = x4 * x5 * x7 * (x6 + x8 - x9)
-    x11 = x7 * x7
-    x12 = r_b * r_b
-    x13 = r_m * r_m
-    x14 = 1j * x5 / omega_phi
-    x15 = x0 * x0
-    x16 = x15 * x15
-    x17 = x2 * x2
-    x18 = x17 * x17
+    x11 = x6 * x6
+    x12 = x11 * x6
+    x13 = r_b * r_b
+    x14 = r_m * r_m
+    x15 = 1j * x5 / omega_phi
+    x16 = x0 * x0
+    x17 = x16 * x16
+    x18 = x2 * x2
+    x19 = x18 * x18
     # Outputs
     c1_1 = 1j * (-sigma - 2 * x10)
-    c1_0 = -sigma * x10 - x11 * x12 * x13 * x4
-    c2_0 = -x1 * x14 * x16
-    c3_0 = -x14 * x18 * x3
+    c1_0 = -sigma * x10 - x12 * x13 * x14 * x4
+    c2_0 = -x1 * x15 * x17
+    c3_0 = -x15 * x19 * x3
     multiply_out(out, ((c1_1, c1_0), 1), ((c2_0,), 1), ((c3_0,), 1), ((0.0,), 2))
 
 

@@ -1,0 +1,263 @@
+"""Edges that have no closed form: roots of polynomials, and of implicit equations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._runtime import companion_roots, evaluate_pair, stacked
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["explicit_edges", "implicit_edges", "zone"]
+
+Kernel = Callable[..., Any]
+
+# Points that are solved together: every one of them is looked at on a whole grid of frequencies.
+BLOCK = 1024
+
+EPS = 2.0**-52
+
+# --- the unstable interval of a detuning ----------------------------------------------------------
+
+
+def zone(*coefficients: Any) -> tuple[Any, Any]:
+    """Ends of the interval nearest to zero on which a real polynomial is positive.
+
+    Parameters
+    ----------
+    *coefficients : array_like
+        Lowest power first.
+
+    Returns
+    -------
+    lower, upper : numpy.ndarray
+        Infinite where the interval has no end, NaN where there is none.
+    """
+    table = stacked([np.asarray(c, dtype=np.float64) for c in coefficients])
+    shape, flat = table.shape[:-1], table.reshape(-1, table.shape[-1])
+    ends = np.full((len(flat), 2), np.nan)
+    finite = np.isfinite(flat).all(axis=-1)
+    highest = flat.shape[-1] - 1 - np.argmax(flat[:, ::-1] != 0.0, axis=-1)
+    for degree in np.unique(highest[finite]):
+        rows = finite & (highest == degree)
+        ends[rows] = _intervals(flat[rows, : int(degree) + 1])
+    return ends[:, 0].reshape(shape), ends[:, 1].reshape(shape)
+
+
+def _horner(table: NDArray[np.float64], x: NDArray[np.float64]) -> Any:
+    """Polynomials, one for each row, and their derivatives at the points of the row."""
+    value = np.zeros_like(x) + table[:, -1:]
+    slope = np.zeros_like(x)
+    for k in range(table.shape[1] - 2, -1, -1):
+        slope = slope * x + value
+        value = value * x + table[:, k : k + 1]
+    return value, slope
+
+
+def _intervals(table: NDArray[np.float64]) -> NDArray[np.float64]:
+    """As `zone`, for polynomials of one degree."""
+    count, degree = len(table), table.shape[1] - 1
+    inner = np.empty((count, 0))
+    if degree:
+        roots = companion_roots(table[:, :-1] / table[:, -1:])
+        inner = np.sort(np.where(roots.imag == 0.0, roots.real, np.nan), axis=-1)
+        for _ in range(2):  # Newton's steps take out the error of the companion matrix
+            value, slope = _horner(table, inner)
+            step = value / np.where(slope == 0.0, np.inf, slope)
+            better = np.abs(_horner(table, inner - step)[0]) < np.abs(value)
+            inner = np.where(better, inner - step, inner)
+        inner = np.where(np.isnan(inner), np.inf, np.sort(inner, axis=-1))
+    low = np.concatenate((np.full((count, 1), -np.inf), inner), axis=-1)
+    high = np.concatenate((inner, np.full((count, 1), np.inf)), axis=-1)
+    middle = np.where(
+        np.isinf(low),
+        np.where(np.isinf(high), 0.0, high - 1.0 - np.abs(high)),
+        np.where(np.isinf(high), low + 1.0 + np.abs(low), 0.5 * low + 0.5 * high),
+    )
+    middle = np.where(np.isfinite(middle), middle, 0.0)
+    positive = (high > low) & (_horner(table, middle)[0] > 0.0)
+    gap = np.where(positive, np.maximum(np.maximum(low, -high), 0.0), np.inf)
+    best = np.argmin(gap, axis=-1)[:, None]
+    found = np.take_along_axis(positive, best, axis=-1)
+    ends = np.concatenate([np.take_along_axis(e, best, axis=-1) for e in (low, high)], axis=-1)
+    return np.where(found, ends, np.nan)
+
+
+# --- the unstable interval of a frequency ---------------------------------------------------------
+
+
+def explicit_edges(
+    resonance: Kernel, boundaries: Kernel, multiple: float, arguments: Sequence[NDArray[np.float64]]
+) -> tuple[Any, Any]:
+    """Edges in a frequency on which nothing else depends.
+
+    Parameters
+    ----------
+    resonance : callable
+        Arguments → the frequency without detuning, then the arguments of `boundaries`.
+    boundaries : callable
+        Its arguments → both edges in the detuning.
+    multiple : float
+        k, where k·frequency = … + detuning.
+    arguments : sequence of numpy.ndarray
+    """
+
+    def kernel(*inputs: Any) -> tuple[Any, Any]:
+        centre, *rest = resonance(*inputs)
+        lower, upper = boundaries(*rest)
+        return _positive(centre + lower / multiple), _positive(centre + upper / multiple)
+
+    return evaluate_pair(kernel, arguments)
+
+
+def _positive(frequency: Any) -> Any:
+    return np.where(np.asarray(frequency) > 0.0, frequency, np.nan)
+
+
+def implicit_edges(
+    detuning: Kernel, boundaries: Kernel, arguments: Sequence[NDArray[np.float64]]
+) -> tuple[Any, Any]:
+    """Edges in a frequency on which parameters depend, to full double precision.
+
+    First the frequency without detuning, its smallest positive value, looked for from a
+    thousandth to a thousand times what it would be if nothing depended on it; then, starting
+    there, the nearest frequency at which the detuning is that of the edge. NaN where either does
+    not exist, and where a solution is not confirmed by the equation.
+
+    Parameters
+    ----------
+    detuning : callable
+        Frequency, arguments → the detuning, then the arguments of `boundaries`.
+    boundaries : callable
+        Its arguments → both edges in the detuning.
+    arguments : sequence of numpy.ndarray
+    """
+    shape = np.broadcast_shapes(*(a.shape for a in arguments))
+    size = int(np.prod(shape, dtype=np.int64))
+    flat = [a.reshape(()) if a.size == 1 else np.broadcast_to(a, shape).ravel() for a in arguments]
+    edges = np.full((2, size), np.nan)
+    with np.errstate(all="ignore"):
+        for start in range(0, size, BLOCK):
+            part = slice(start, min(start + BLOCK, size))
+            inputs = [a if a.ndim == 0 else a[part] for a in flat]
+            edges[:, part] = _edges(detuning, boundaries, inputs, part.stop - part.start)
+    return edges[0].reshape(shape)[()], edges[1].reshape(shape)[()]
+
+
+# Steps from the frequency without detuning towards an edge, in units of Newton's step.
+_STEPS = (0.0, 0.5, 0.8, 0.95, 1.0, 1.05, 1.2, 1.5, 2.0, 3.0, 5.0, 9.0, 17.0, 33.0, 65.0)
+
+
+def _edges(
+    detuning: Kernel, boundaries: Kernel, inputs: Sequence[NDArray[np.float64]], count: int
+) -> NDArray[np.float64]:
+    """Both edges for one block of points."""
+
+    def at(rows: NDArray[np.int64], frequency: NDArray[np.float64]) -> list[Any]:
+        column = (slice(None), *(None,) * (frequency.ndim - 1))
+        return list(detuning(frequency, *(a if a.ndim == 0 else a[rows][column] for a in inputs)))
+
+    everywhere = np.arange(count)
+    estimate = np.abs(np.broadcast_to(at(everywhere, np.zeros(count))[0], (count,)))
+    estimate = np.where(np.isfinite(estimate) & (estimate > 0.0), estimate, 1.0)
+
+    def free(rows: NDArray[np.int64], frequency: NDArray[np.float64]) -> Any:
+        return at(rows, frequency)[0]
+
+    ratios = np.concatenate(([0.0], np.geomspace(1e-3, 1e3, 146)))
+    centre = _first_root(free, estimate[:, None] * ratios, estimate)
+    result = np.full((2, count), np.nan)
+    for edge in (0, 1):
+
+        def gap(rows: NDArray[np.int64], frequency: NDArray[np.float64], edge: int = edge) -> Any:
+            sigma, *rest = at(rows, frequency)
+            return sigma - boundaries(*rest)[edge]
+
+        step = 1e-6 * centre
+        start = gap(everywhere, centre)
+        slope = (gap(everywhere, centre + step) - start) / step
+        grid = centre[:, None] - (start / slope)[:, None] * np.array(_STEPS)
+        grid = np.where(grid > 0.0, grid, np.nan)
+        result[edge] = _first_root(gap, grid, np.abs(slope) * centre)
+    return result
+
+
+def _first_root(
+    function: Callable[[NDArray[np.int64], NDArray[np.float64]], Any],
+    grid: NDArray[np.float64],
+    size: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """The root behind the first change of sign along each row of a grid.
+
+    Parameters
+    ----------
+    function : callable
+        Row indices, points (one or several for each row) → values.
+    grid : numpy.ndarray
+        Shape (rows, points).
+    size : numpy.ndarray
+        What the values are made of, by which their rounding errors are judged.
+    """
+    count = len(grid)
+    rows = np.arange(count)
+    values = np.broadcast_to(function(rows, grid), grid.shape)
+    sign = np.sign(values)
+    change = (sign[:, :-1] * sign[:, 1:] < 0.0) | (sign[:, :-1] == 0.0)
+    found = change.any(axis=-1)
+    k = np.argmax(change, axis=-1)
+    roots = np.full(count, np.nan)
+    exact = found & (sign[rows, k] == 0.0)
+    roots[exact] = grid[rows, k][exact]
+    rows = rows[found & ~exact]
+    k = k[rows]
+    a, b, fa, fb = grid[rows, k], grid[rows, k + 1], values[rows, k], values[rows, k + 1]
+    x, fx = _bracketed(function, rows, a, b, fa, fb)
+    # At a pole or a jump the sign changes too, but the values do not become small.
+    small = np.maximum(1e-6 * np.maximum(np.abs(fa), np.abs(fb)), 64.0 * EPS * size[rows])
+    roots[rows] = np.where((np.abs(fx) <= small) & (x > 0.0), x, np.nan)
+    return roots
+
+
+def _bracketed(
+    function: Callable[[NDArray[np.int64], NDArray[np.float64]], Any],
+    rows: NDArray[np.int64],
+    a: NDArray[np.float64],
+    b: NDArray[np.float64],
+    fa: NDArray[np.float64],
+    fb: NDArray[np.float64],
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Roots between a and b, where the function has opposite signs.
+
+    T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a
+    nonlinear function without using derivatives", Advances in Engineering Software 28 (1997).
+    """
+    best, value = np.where(np.abs(fa) < np.abs(fb), a, b), np.minimum(np.abs(fa), np.abs(fb))
+    active = np.arange(len(rows))
+    c, fc, t = a.copy(), fa.copy(), np.full(len(rows), 0.5)
+    for _ in range(200):
+        if not len(active):
+            break
+        x = a + t * (b - a)
+        fx = np.broadcast_to(function(rows[active], x), x.shape)
+        same = np.sign(fx) == np.sign(fa)
+        c, fc = np.where(same, a, b), np.where(same, fa, fb)
+        b, fb = np.where(same, b, a), np.where(same, fb, fa)
+        a, fa = x, fx
+        closer = np.abs(fa) < np.abs(fb)
+        best[active], value[active] = np.where(closer, a, b), np.where(closer, fa, fb)
+        least = 2.0 * EPS * np.abs(best[active]) / np.abs(b - a)
+        going = (least <= 0.5) & (value[active] != 0.0)
+        xi, phi = (a - b) / (c - b), (fa - fb) / (fc - fb)
+        inverse = (phi * phi < xi) & ((1.0 - phi) * (1.0 - phi) < 1.0 - xi)
+        quadratic = fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * (
+            fb / (fc - fb)
+        )
+        t = np.clip(np.where(inverse & np.isfinite(quadratic), quadratic, 0.5), least, 1.0 - least)
+        active = active[going]
+        a, b, c, t, fa, fb, fc = (v[going] for v in (a, b, c, t, fa, fb, fc))
+    value[active] = np.inf  # not converged
+    return best, value
