@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 
 TOKEN = re.compile(
-    r"\\(?:left|right|Bigl|Bigr)\s*|\\(?:quad|qquad|,|;|\\)|(?P<token>"
+    r"\\(?:left|right|Bigl|Bigr|quad|qquad|cdot)(?![A-Za-z])\s*|\\[,;]|(?P<token>"
     r"\\overline\{(?:\\?[A-Za-z]+)(?:_\{[^{}]*\})?\}"
     r"|(?:\\[A-Za-z]+|[A-Za-z])(?:_\{[^{}]*\}|_[A-Za-z0-9])?"
     r"|\d+|[-+(){}\[\]^=&.])"
@@ -16,9 +16,9 @@ FUNCTIONS = {"\\cos": cmath.cos, "\\sin": cmath.sin, "\\sqrt": cmath.sqrt}
 CLOSING = {"(": ")", "{": "}", "[": "]"}
 
 
-def balanced(text: str) -> bool:
-    """Whether braces match, and the commands for large brackets come in pairs."""
-    for opening, closing in (("\\left", "\\right"), ("\\Bigl", "\\Bigr")):
+def balanced(text: str, whole: bool = True) -> bool:
+    """Whether braces match and large brackets come in pairs; big ones only in a whole formula."""
+    for opening, closing in (("\\left", "\\right"), ("\\Bigl", "\\Bigr"))[: 1 + whole]:
         if len(re.findall(re.escape(opening) + r"\b", text)) != len(
             re.findall(re.escape(closing) + r"\b", text)
         ):
@@ -121,7 +121,7 @@ def value(text: str, values: Mapping[str, complex]) -> complex:
     values : mapping
         LaTeX of a symbol, with its subscript → number.
     """
-    reader = Reader(text, {"i": 1j, "e": cmath.e, **values})
+    reader = Reader(text, {"i": 1j, "e": cmath.e, "\\pi": cmath.pi, **values})
     result = reader.sum()
     assert not reader.tokens, f"{reader.tokens} left over"
     return result

@@ -58,9 +58,14 @@ def _width(text: str) -> int:
     previous = ""
     while previous != text:
         previous = text
-        text = _FRACTION.sub(lambda m: max(m[1], m[2], key=lambda s: len(_UNSEEN.sub("", s))), text)
+        text = _FRACTION.sub(lambda m: " " + max(m[1], m[2], key=_seen), text)
         text = re.sub(r"([_^])\{([^{}]*)\}", lambda m: m[2][: (len(m[2]) + 1) // 2], text)
-        text = re.sub(r"(?<!\})\{([^{}]*)\}(?!\{)", r"\1", text)
+        # The space keeps a command before the brace apart from what was in it.
+        text = re.sub(r"(?<!\})\{([^{}]*)\}(?!\{)", r" \1", text)
+    return _seen(text)
+
+
+def _seen(text: str) -> int:
     return len(_UNSEEN.sub("", text))
 
 
