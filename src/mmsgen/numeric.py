@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import sympy as sp
 from .errors import MmsgenError
 from .parameters import Parameter, by_name
 
-__all__ = ["Evaluator", "named_values"]
+__all__ = ["Evaluator", "compiled", "named_values"]
 
 
 def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> dict[str, Any]:
@@ -56,11 +57,25 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
         if not ready:
             break
         for name, definition in ready.items():
-            symbols = sorted(definition.free_symbols, key=str)
-            function = sp.lambdify(symbols, definition, "numpy", dummify=True)
-            table[name] = np.asarray(function(*(table[str(s)] for s in symbols)), dtype=float)
+            symbols = tuple(sorted(definition.free_symbols, key=str))
+            (number,) = compiled(symbols, (definition,))(*(table[str(s)] for s in symbols))
+            table[name] = np.asarray(number, dtype=float)
             del pending[name]
     return table
+
+
+@lru_cache(maxsize=256)
+def compiled(
+    symbols: tuple[sp.Symbol, ...], expressions: tuple[sp.Expr, ...]
+) -> Callable[..., list[Any]]:
+    """A NumPy function of the symbols that returns the expressions' values.
+
+    Compiling takes milliseconds, and the same few expressions come at every call.
+    """
+    function: Callable[..., list[Any]] = sp.lambdify(
+        symbols, list(expressions), "numpy", cse=True, dummify=True
+    )
+    return function
 
 
 def _check_shapes(table: Mapping[str, Any]) -> None:
@@ -85,9 +100,7 @@ class Evaluator:
         self.parameters = tuple(parameters)
         present = set().union(*(e.free_symbols for e in expressions))
         self.needed = tuple(p for p in parameters if p.symbol in present)
-        self._function = sp.lambdify(
-            [p.symbol for p in self.needed], list(expressions), "numpy", cse=True, dummify=True
-        )
+        self._function = compiled(tuple(p.symbol for p in self.needed), tuple(expressions))
 
     def __call__(self, values: Mapping[Any, Any]) -> list[Any]:
         """Evaluate the expressions at numbers or arrays that broadcast.

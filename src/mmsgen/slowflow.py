@@ -22,7 +22,7 @@ import sympy as sp
 from .errors import ExpansionError
 from .expressions import rational
 from .linear_flow import LinearFlow, linear_flow
-from .numeric import named_values
+from .numeric import compiled, named_values
 from .series import Series
 from .symbols import imaginary_part, modulus, phase, real_part
 
@@ -244,10 +244,10 @@ class SlowFlow:
         """Values with σ = lhs − rhs of its relation where that can be told."""
         table = named_values(self.case.parameters, values)
         for r in self.case.relations:
-            symbols = sorted((r.lhs - r.rhs).free_symbols, key=str)
+            symbols = tuple(sorted((r.lhs - r.rhs).free_symbols, key=str))
             if r.detuning.name not in table and all(str(s) in table for s in symbols):
-                gap = sp.lambdify(symbols, r.lhs - r.rhs, "numpy")
-                table[str(r.detuning.name)] = gap(*(table[str(s)] for s in symbols))
+                (gap,) = compiled(symbols, (r.lhs - r.rhs,))(*(table[str(s)] for s in symbols))
+                table[str(r.detuning.name)] = gap
         return table
 
     def boundaries(self, values: Mapping[Any, Any]) -> Any:

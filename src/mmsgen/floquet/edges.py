@@ -1,7 +1,7 @@
 """`boundary`: the edges of the unstable zones along one parameter.
 
-A scan finds where the growth rate crosses a level; repeated subdivision of each crossing into 16
-parts, all crossings at once, finds it to the last digits. In an undamped system the growth rate
+A scan finds where the growth rate crosses a level; a bracketing root finder, all crossings at
+once, finds it to the last digits. In an undamped system the growth rate
 is zero outside a zone and goes like the square root of the distance inside: the level must be
 above the noise of colliding multipliers, and the edge, where growth begins, is found from the
 crossings of four levels. Inside, the parameter is a smooth function of the growth rate,
@@ -13,10 +13,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
+from scipy.optimize.elementwise import find_root
 
 from ..errors import FloquetError
 from .exponents import Period, growth
@@ -27,7 +28,8 @@ from .system import LinearEquations
 
 __all__ = ["Boundary", "boundary"]
 
-PARTS = 16
+Rate: TypeAlias = Callable[[Floats], GrowthRate]
+
 LEVELS = 4
 # Growth that counts, in units of the parametric frequency: well above the noise of colliding
 # multipliers (1e-8 of it in doubles), and so low that the extrapolation has little to do.
@@ -124,17 +126,16 @@ def boundary(
     def rate(at: Floats) -> GrowthRate:
         # Against the level of growth sought, a thousandth of it is small.
         rough = replace(options, enough=1e-3 * level if extrapolate else 0.0)
-        problem = prepare(eom, {**others, name: at.ravel()}, period, rough)
-        return growth(problem, None)
+        return growth(prepare(eom, {**others, name: at}, period, rough), None)
 
     grid = np.linspace(low, high, points)
     problem = prepare(eom, {**others, name: grid}, period, options)
     scan = growth(problem, None)
     extrapolate = threshold is None
-    if threshold is None:
-        level = LEVEL * _frequency(problem.period, scan)
-    else:
-        level = float(threshold)
+    smallest = LEVEL * _frequency(problem.period, scan)
+    level = smallest if threshold is None else float(threshold)
+    # Near a threshold of the user's, a second level is there to tell the slope.
+    step = smallest if extrapolate else 1e-3 * max(abs(level), smallest)
     # Noise must not make zones: without a threshold of the user's, growth must be certain.
     margin = scan.error if extrapolate else np.zeros(points)
     unstable = scan.value - margin > level
@@ -143,7 +144,7 @@ def boundary(
     if change.size:
         inside = np.where(unstable[change], grid[change], grid[change + 1])
         outside = np.where(unstable[change], grid[change + 1], grid[change])
-        edges, errors = _locate(rate, outside, inside, level, extrapolate)
+        edges, errors = _locate(rate, outside, inside, level, step, extrapolate)
     return Boundary(name, edges, errors, _zones(edges, unstable, low, high), level, grid, scan)
 
 
@@ -165,70 +166,51 @@ def _frequency(period: Floats | None, scan: GrowthRate) -> float:
 
 
 def _locate(
-    rate: Callable[[Floats], GrowthRate],
-    outside: Floats,
-    inside: Floats,
-    level: float,
-    extrapolate: bool,
+    rate: Rate, outside: Floats, inside: Floats, level: float, step: float, extrapolate: bool
 ) -> tuple[Floats, Floats]:
     """Edges between pairs of points, and their errors."""
-    count = LEVELS if extrapolate else 1
-    levels = level * np.arange(1.0, count + 1)
-    crossing, width, noise = _cross(rate, outside, inside, levels)
-    if not extrapolate:
-        return crossing[0], width[0] + noise[0]
-    first, second, third, fourth = crossing
-    edges = 3 * first - 3 * second + third
-    # The next difference is what the quadratic left out; the crossings enter with 3 + 3 + 1.
-    errors = np.abs(fourth - 3 * third + 3 * second - first) + 7 * (width + noise).max(axis=0)
+    levels: Floats = level + step * np.arange(float(LEVELS if extrapolate else 2))
+    crossing, noise = _cross(rate, outside, inside, levels)
+    first, noises = crossing[0], noise.max(axis=0)
+    if extrapolate:
+        second, third, fourth = crossing[1:]
+        edges = 3 * first - 3 * second + third
+        # The next difference is what the quadratic left out; the crossings enter with 3 + 3 + 1.
+        errors = np.abs(fourth - 3 * third + 3 * second - first) + 7 * noises
+    else:
+        edges, errors = first, noises
     # A zone whose scanned point grows by less than the highest level is known to the scan only.
-    weak = ~np.isfinite(edges)
+    weak = ~np.isfinite(errors)
     edges = np.where(weak, np.where(np.isfinite(first), first, (inside + outside) / 2), edges)
     return edges, np.where(weak, np.abs(inside - outside), errors)
 
 
-def _cross(
-    rate: Callable[[Floats], GrowthRate], outside: Floats, inside: Floats, levels: Floats
-) -> tuple[Floats, Floats, Floats]:
-    """Where the growth rate crosses each level between each pair: (value, width, error by noise).
+def _cross(rate: Rate, outside: Floats, inside: Floats, levels: Floats) -> tuple[Floats, Floats]:
+    """Where the growth rate crosses each level between each pair, and the error by its noise.
 
-    All have the shape (levels, pairs), NaN where the inner point does not reach the level.
+    Both have the shape (levels, pairs), NaN where the inner point does not reach the level.
     """
-    shape = (levels.size, outside.size)
-    level = np.broadcast_to(levels[:, None], shape)
-    ends = rate(np.stack([outside, inside]))
-    # A bracket is (parameter, growth, error) at its lower and at its higher end.
-    low = np.stack([np.broadcast_to(x[0], shape) for x in (outside[None], ends.value, ends.error)])
-    high = np.stack([np.broadcast_to(x[-1], shape) for x in (inside[None], ends.value, ends.error)])
-    reached = high[1] > level
-    active = reached.copy()
-    while active.any():
-        low[:, active], high[:, active] = _subdivide(
-            rate, low[:, active], high[:, active], level[active]
+
+    def excess(at: Floats, level: Floats) -> Floats:
+        growth = rate(at)
+        # The square goes like the distance from the edge; with the sign it stays monotonic.
+        gap = growth.value * np.abs(growth.value) - level * np.abs(level)
+        # A level that is met to within the noise is met.
+        return np.where(np.abs(growth.value - level) <= growth.error, 0.0, gap)
+
+    ends = np.minimum(outside, inside), np.maximum(outside, inside)
+    digits = 4 * np.finfo(np.float64).eps
+    with np.errstate(all="ignore"):
+        found = find_root(
+            excess, ends, args=(levels[:, None],), tolerances={"xatol": 0.0, "xrtol": digits}
         )
-        width = np.abs(high[0] - low[0])
-        digits = 2 * np.spacing(np.maximum(np.abs(low[0]), np.abs(high[0])))
-        # Once the growth across the bracket is noise, subdividing it further says nothing.
-        active = reached & (width > digits) & (high[1] - low[1] > high[2])
-    width = np.abs(high[0] - low[0])
-    middle = np.where(reached, (low[0] + high[0]) / 2, np.nan)
-    rise = np.maximum(high[1] - low[1], 0.0)
+    crossing = np.where(found.success, found.x, np.nan)
+    reached = np.isfinite(crossing)
+    error = np.full(crossing.shape, np.nan)
+    error[reached] = rate(crossing[reached]).error
     # The error of the growth rate, divided by the slope, moves the crossing.
-    noise = np.where(rise > high[2], width * high[2] / np.where(rise > 0, rise, 1.0), width)
-    return middle, width, noise
-
-
-def _subdivide(
-    rate: Callable[[Floats], GrowthRate], low: Floats, high: Floats, level: Floats
-) -> tuple[Floats, Floats]:
-    """One of the 16 parts of each bracket: the outermost in which the level is crossed."""
-    at = low[0][:, None] + (high[0] - low[0])[:, None] * (np.arange(1, PARTS) / PARTS)
-    result = rate(at)
-    inner = np.stack([at, result.value.reshape(at.shape), result.error.reshape(at.shape)])
-    nodes = np.concatenate([low[:, :, None], inner, high[:, :, None]], axis=2)
-    first = (nodes[1, :, 1:] > level[:, None]).argmax(axis=1)
-    row = np.arange(first.size)
-    return nodes[:, row, first], nodes[:, row, first + 1]
+    slope = np.gradient(crossing, levels, axis=0)
+    return crossing, np.abs(slope) * error + digits * np.abs(crossing)
 
 
 def _zones(
