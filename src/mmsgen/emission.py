@@ -52,6 +52,9 @@ class Emission:
         File name of the derivation.
     source : str
         The publication behind the model.
+    amplitudes : callable, optional
+        Case → starting values of B_j at ε = 1 and the time in s over which its motions are compared
+        with exact ones, for cases with a nonlinear slow flow; see `certify`.
     """
 
     model: str
@@ -60,6 +63,7 @@ class Emission:
     numbers: Mapping[Any, float] = field(default_factory=dict)
     derivation: str = ""
     source: str = ""
+    amplitudes: Callable[[Expansion], tuple[Sequence[complex], float]] | None = None
 
     def _render(self, cases: Sequence[Expansion]) -> dict[str, str]:
         return render(cases, model=self.model, derivation=self.derivation, source=self.source)
@@ -98,8 +102,21 @@ class Emission:
         # What is certified, and what it is compared with.
         texts["exact"] = str(case.weak.scaled.eom)
         texts["scaling"] = str(case.weak.scaled.orders)
+        start, span = (None, 1.0) if self.amplitudes is None else self.amplitudes(case)
+        texts["motions"] = f"{start} {span}"
         key = certificate_key(texts, samples, numbers)
-        return kept(folder, key, lambda: certify(case, samples, functions=module, numbers=numbers))
+        return kept(
+            folder,
+            key,
+            lambda: certify(
+                case,
+                samples,
+                functions=module,
+                numbers=numbers,
+                amplitudes=start,
+                span=span,
+            ),
+        )
 
     @cached_property
     def certificates(self) -> dict[str, Certificate]:
