@@ -85,7 +85,7 @@ def certify(
         Values of the independent parameters at which, at ε = 1, the critical speeds are set beside
         Floquet's; for a case that can be unstable.
     amplitudes : sequence of complex, optional
-        Starting values of B_j at ε = 1, for a slow flow that is nonlinear or forced.
+        Starting values of B_j at ε = 1, where the slow flow is nonlinear or the system is forced.
     span : float
         Time over which motions are compared, in s, at ε = 1; it grows like 1/ε.
 
@@ -108,7 +108,9 @@ def certify(
     module = load(case) if functions is None else functions
     zones: tuple[Zone, ...] = ()
     try:
-        if not case.slow_flow.is_linear:
+        # A forced system has no rest whose exponents Floquet could give.
+        linear = case.slow_flow.is_linear
+        if not linear or any(case.weak.scaled.eom.f):
             steps = MOTION_EPSILONS if epsilons is None else epsilons
             fits = [_motion_fit(case, module, floats, steps, amplitudes, span)]
         else:
@@ -116,10 +118,10 @@ def certify(
             if _has_zone(case, module, floats):
                 steps = EDGE_EPSILONS if epsilons is None else epsilons
                 fits.append(_edge_fit(case, module, floats, steps))
-            if all(f.passed for f in fits):
-                demand_agreement(case, module, scaled_values(case, floats, 1.0)[0])
-            if numbers and len(fits) > 1:
-                zones = _zones_at(case, module, numbers)
+        if linear and all(f.passed for f in fits):
+            demand_agreement(case, module, scaled_values(case, floats, 1.0)[0])
+        if numbers and len(fits) > 1:
+            zones = _zones_at(case, module, numbers)
     except (CertificateError, FloquetError) as error:
         name = title(case) if case.relations else "without resonance"
         raise CertificateError(f"{name} at order {case.order}: {error}") from error
@@ -284,8 +286,8 @@ def _motion_fit(
     """The largest distance between reconstructed and exact motions at times of order 1/ε."""
     if amplitudes is None or len(amplitudes) != len(case.coordinates):
         raise CertificateError(
-            f"a nonlinear slow flow is certified by motions: give {len(case.coordinates)} "
-            "starting amplitudes"
+            "a nonlinear slow flow, or a forced system, is certified by motions: give "
+            f"{len(case.coordinates)} starting amplitudes"
         )
     weights = np.array([float(w) for w in case.weak.scaled.amplitude])
     eom = case.weak.scaled.eom
