@@ -79,6 +79,23 @@ def test_solvability_conditions(order: int) -> None:
     assert [left for left, _ in only] == [rf"D_{{{order}}} A_{{y}}"]
 
 
+def test_modulation_equations_in_polar_form() -> None:
+    eom = oscillator(alpha * x**3 + 2 * mu * d(x) - f * sp.cos(Omega * t))
+    case = eom.scale({alpha: 1, mu: 1, f: 1}).expand(2, {Omega: omega})
+    found = statements(report.modulation(case))
+    polar = case.slow_flow.polar
+    assert [left for left, _ in found] == [
+        rf"\frac{{\mathrm{{d}} {name}}}{{\mathrm{{d}} t}}" for name in ("a_{x}", r"\gamma_{x}")
+    ]
+    table, printed = numbers_of(case)
+    for k, symbol in enumerate(polar):
+        table[symbol] = printed[sp.latex(symbol)] = NUMBERS[-k - 1]
+    for (_, right), expression in zip(found, polar.values(), strict=True):
+        wanted = complex(expression.subs(table).evalf())
+        # a dozen terms of order one in doubles
+        assert abs(value(right, printed) - wanted) < 1e-12
+
+
 @pytest.mark.parametrize("order", [1, 2])
 def test_secular_terms(order: int) -> None:
     """2iω_j D_p A_j + (secular terms) = 0, with D_p A_j as in the solvability condition."""

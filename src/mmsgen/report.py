@@ -31,6 +31,7 @@ __all__ = [
     "certificate_table",
     "equations",
     "expression",
+    "modulation",
     "orders",
     "parameter_table",
     "polynomial",
@@ -250,6 +251,14 @@ def solvability(case: Expansion, order: int, only: Sequence[sp.Expr] | None = No
         if only is None or case.coordinates[j] in only:
             pairs.append((f"D_{{{order}}} {sp.latex(a)}", expression))
     return _aligned(pairs)
+
+
+def modulation(case: Expansion) -> Formula:
+    """The slow flow in polar form, da_j/dt and dγ_j/dt, in the frame that makes it autonomous."""
+    return _aligned(
+        (rf"\frac{{\mathrm{{d}} {sp.latex(x)}}}{{\mathrm{{d}} t}}", sp.expand(rate))
+        for x, rate in case.slow_flow.polar.items()
+    )
 
 
 def polynomial(case: Expansion) -> Formula:
