@@ -11,7 +11,6 @@ from dataclasses import dataclass, field
 from types import MappingProxyType
 
 import sympy as sp
-from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
 from .equations import EquationsOfMotion
 from .errors import ModelError
@@ -226,6 +225,8 @@ def _lagrange(lagrangian: sp.Expr, coordinates: Sequence[sp.Expr]) -> list[sp.Ex
     distinct term once, in standard coordinates and with a symbol for the phase, and its equations
     are summed with the terms' coefficients.
     """
+    from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols  # loads slowly
+
     standard = dynamicsymbols(f"standard_1:{len(coordinates) + 1}")
     phase = sp.Symbol("static phase", real=True)
     known: dict[sp.Expr, list[sp.Expr]] = {}

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import scipy  # loads its subpackages when they are first used
 import sympy as sp
-from scipy.integrate import solve_ivp
 
 from .errors import CertificateError
 from .numeric import Evaluator
@@ -161,7 +161,7 @@ def exact_motion(
 ) -> Any:
     """States (2n, times) of the exact equations from a state at t = 0."""
     try:
-        solution = solve_ivp(
+        solution = scipy.integrate.solve_ivp(
             derivative, (0.0, times[-1]), start, "DOP853", times, rtol=RTOL, atol=ATOL * scale
         )
     except (ArithmeticError, ValueError) as error:  # as plain numbers say infinity and nan
@@ -178,7 +178,7 @@ def slow_motion(module: Any, start: Any, times: Any, arguments: Mapping[str, flo
         return module.slow_flow(b, **arguments)
 
     scale = float(np.max(np.abs(start)))
-    solution = solve_ivp(
+    solution = scipy.integrate.solve_ivp(
         derivative,
         (0.0, times[-1]),
         np.asarray(start, dtype=complex),

@@ -11,7 +11,6 @@ from collections.abc import Iterable, Sequence
 
 import sympy as sp
 from sympy.core.function import AppliedUndef
-from sympy.physics.mechanics import dynamicsymbols
 
 from .errors import ModelError
 from .parameters import Parameter, by_name
@@ -28,8 +27,8 @@ __all__ = [
     "names",
 ]
 
-#: the time that SymPy's mechanics differentiates with respect to
-TIME: sp.Symbol = dynamicsymbols._t
+#: the time of SymPy's mechanics, `dynamicsymbols._t`, without loading it
+TIME = sp.Symbol("t")
 
 
 def names(items: Iterable[sp.Basic]) -> str:

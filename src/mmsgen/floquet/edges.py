@@ -17,7 +17,6 @@ from typing import Any, TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-from scipy.optimize.elementwise import find_root
 
 from ..errors import FloquetError
 from .exponents import Period, growth
@@ -190,6 +189,7 @@ def _cross(rate: Rate, outside: Floats, inside: Floats, levels: Floats) -> tuple
 
     Both have the shape (levels, pairs), NaN where the inner point does not reach the level.
     """
+    from scipy.optimize.elementwise import find_root  # loads slowly
 
     def excess(at: Floats, level: Floats) -> Floats:
         growth = rate(at)

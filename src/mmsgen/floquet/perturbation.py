@@ -28,8 +28,7 @@ from typing import TypeAlias
 
 import numpy as np
 import numpy.typing as npt
-import scipy.linalg
-import scipy.linalg.lapack
+import scipy  # loads its subpackages when they are first used
 
 from .points import Floats
 
