@@ -17,7 +17,7 @@ from matplotlib.axes import Axes  # noqa: E402
 from matplotlib.figure import Figure  # noqa: E402
 
 from mmsgen import plotting  # noqa: E402
-from mmsgen.certificate import Certificate, fit_exponent  # noqa: E402
+from mmsgen.certificate import Certificate, Fit, fit_exponent  # noqa: E402
 
 SPEEDS = np.linspace(4.0, 6.0, 21)
 CURVES = {f"order {k}": np.clip(k - (SPEEDS - 5) ** 2, 0, None) for k in range(1, 9)}
@@ -114,3 +114,19 @@ def test_no_display_is_needed() -> None:
         [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False
     )
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize(
+    ("smallest", "quantity", "base", "unit"),
+    [(2.0**-8, "motions", 2, False), (2.0**-14, "characteristic exponents", 10, True)],
+)
+def test_axis_of_epsilon_and_unit_of_the_error(
+    smallest: float, quantity: str, base: int, unit: bool
+) -> None:
+    """Few decades are labelled by powers of two; a motion's unit is that of its coordinate."""
+    epsilons = tuple(smallest * 2.0**k for k in range(5 if base == 2 else 12))
+    errors = tuple(e**2 for e in epsilons)
+    fit = Fit(quantity, 2, epsilons, errors, (0.0,) * len(epsilons), 2.0, limit=0.0)
+    axes = plotting.convergence([Certificate("none", 2, (), (fit,))], quantity=quantity)
+    assert axes.xaxis.get_transform().base == base
+    assert ("(1/s)" in axes.get_ylabel()) is unit

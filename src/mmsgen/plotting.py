@@ -111,6 +111,10 @@ def convergence(
                 label=f"{label}: {fit.exponent:.2f}",
             )
             axes.loglog(e, x[-1] * (e / e[-1]) ** fit.theory, lw=0.8, color=colour)
-    axes.set(xlabel="ε", ylabel=f"error of the {quantity} (1/s)")
+    unit = "" if quantity.startswith("motions") else " (1/s)"
+    axes.set(xlabel="ε", ylabel=f"error of the {quantity}{unit}")
+    low, high = axes.get_xlim()
+    if high < 50 * low:  # too few decades to be labelled
+        axes.set_xscale("log", base=2)
     axes.legend(frameon=False, fontsize="x-small")
     return axes

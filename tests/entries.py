@@ -1,0 +1,62 @@
+"""What every derivation of the catalogue has to show: its certificates, and its notebook."""
+
+from __future__ import annotations
+
+import importlib
+import json
+import re
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import jupytext
+from latex_values import balanced
+
+ROOT = Path(__file__).resolve().parent.parent
+EMITTED = ROOT / "generated" / "mms_functions"
+
+
+def emitted(name: str, case: str) -> ModuleType:
+    """An emitted module."""
+    return importlib.import_module(f"mms_functions.{name}.{case}")
+
+
+def certificates(name: str) -> dict[str, dict[str, Any]]:
+    """{module: certificate} of all that is emitted for a derivation."""
+    modules = {p.stem for p in EMITTED.glob(f"{name}/*_order_*.py")}
+    found = {
+        p.name.removesuffix(".certificate.json"): json.loads(p.read_text("utf-8"))
+        for p in EMITTED.glob(f"{name}/*.certificate.json")
+    }
+    assert modules == set(found), f"not every module of {name} is certified"
+    assert all(data["passed"] for data in found.values())
+    return found
+
+
+def outputs(name: str) -> list[dict[str, Any]]:
+    """All outputs of an executed notebook."""
+    notebook = json.loads((ROOT / "derivations" / f"{name}.ipynb").read_text("utf-8"))
+    return [o for cell in notebook["cells"] for o in cell.get("outputs", ())]
+
+
+def demand_notebook(name: str) -> None:
+    """The notebook is that of the script, ran through in silence, and its formulas are whole."""
+    script = ROOT / "derivations" / f"{name}.py"
+    cells = json.loads(script.with_suffix(".ipynb").read_text("utf-8"))["cells"]
+    sources = [c.source for c in jupytext.read(script, fmt="py:percent").cells]
+    assert ["".join(c["source"]) for c in cells] == sources, "run make"
+    code = [c for c in cells if c["cell_type"] == "code"]
+    assert [c["execution_count"] for c in code] == list(range(1, len(code) + 1))
+    kinds = {o["output_type"] for o in outputs(name)}
+    assert kinds <= {"display_data", "execute_result", "stream"}
+    texts = ["".join(c["source"]) for c in cells if c["cell_type"] == "markdown"]
+    for output in outputs(name):
+        assert output.get("name", "stdout") == "stdout"
+        data = {kind: "".join(text) for kind, text in output.get("data", {}).items()}
+        assert "not emitted:" not in data.get("text/markdown", "")
+        texts += [data[kind] for kind in ("text/latex", "text/markdown") if kind in data]
+    for text in texts:
+        plain = re.sub(r"```.*?```|`[^`]*`", "", text, flags=re.DOTALL)
+        assert plain.count("$") % 2 == 0, text
+        for display, inline in re.findall(r"\$\$(.*?)\$\$|\$(.*?)\$", plain, flags=re.DOTALL):
+            assert balanced(display + inline), text
