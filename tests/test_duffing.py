@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import mpmath as mp
-import numpy as np
 import pytest
 from entries import certificates, demand_notebook, emitted
 
