@@ -1,0 +1,436 @@
+# Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
+# Made from sha256 50aa952c12665acda2aed66da3cdf88371451eb7dff12b93ac525f05a2681cc9
+# Operations for each point: growth_rate 101, boundaries 43, resonance 0, slow_flow_matrix 40,
+# characteristic_coefficients 101, slow_flow 46
+"""mathieu: omega = Omega + sigma, order 4.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 4 in ε, of x. Results are written at ε = 1.
+
+Stability depends: Gamma**2 + 2*Gamma*mu + sigma**2 is damped, and unstable near resonance if
+-16*(2*Omega**3*mu - q**2)*(2*Omega**3*mu + q**2)/Omega**6 > 0.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; NIST DLMF, section 28.6
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    multiply_out,
+    quadratic_growth,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("omega = Omega + sigma",)
+
+#: the highest power of ε
+ORDER = 4
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x",)
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, omega = Omega + sigma"),
+    "Omega": ("positive", "rad/s", "frequency of the modulation"),
+    "q": ("nonnegative", "rad^2/s^2", "half the modulation of the stiffness"),
+    "mu": ("nonnegative", "1/s", "rate at which free oscillations decay"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = x0 * x0
+    x2 = x1 * x1
+    x3 = x0 * x2
+    x4 = 1 / x3
+    x5 = x0 * x1
+    x6 = 1 / x5
+    x7 = mu * mu
+    x8 = sigma * x7
+    x9 = q * q
+    x10 = x9 * x9
+    x11 = x10 / x2
+    x12 = Omega * x1
+    x13 = x9 / x12
+    x14 = x9 / x1
+    x15 = sigma * sigma
+    x16 = x10 * x9
+    x17 = sigma * x15
+    x18 = x7 * x7
+    x19 = x10 * x10
+    x20 = x2 * x5
+    x21 = x1 * x2
+    x22 = Omega * x2
+    x23 = Omega * x0
+    x24 = x1 * x23
+    x25 = x2 * x23
+    x26 = x15 * x15
+    # Outputs
+    b_1 = 2 * mu
+    c_1 = (
+        35 * sigma * x10 / (72 * x24) + 283 * sigma * x16 / (1944 * x25)
+        + 4309 * x10 * x26 * x4 / 729 + 16 * x11 * x15 / 27 + 22 * x14 * x15 / 9 + x14 * x7 / 3
+        + 85 * x15 * x6 * x7 * x9 / 27 + x15 + 7 * x16 * x4 / 648 + 1921 * x19 / (186624 * x20) + x7
+        + 1 / 4 * x18 / x0 - 2 * sigma * x9 / (3 * x23) - 898 * x10 * x17 / (243 * x22)
+        - 5 * x10 * x6 / 36 - 65 * x11 * x7 / 432 - 170 * x13 * x17 / 27 - 11 * x13 * x8 / 9
+        - 2933 * x15 * x16 / (5832 * x21) - x8 / Omega
+    )
+    return quadratic_growth(b_1, c_1)
+
+
+def _boundaries(Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = Omega * x0
+    x2 = 1 / x1
+    x3 = 2 * mu * x1
+    x4 = q * q
+    x5 = x3 - x4
+    x6 = np.sqrt(-x5)
+    x7 = x3 + x4
+    x8 = np.sqrt(x7)
+    x9 = 1 / 2 * x2 * x6 * x8
+    x10 = x0 * x0
+    x11 = x1 * x10
+    x12 = 1 / x11
+    x13 = mu * mu
+    x14 = x0 * x10
+    x15 = x13 * x14
+    x16 = np.sqrt(1 / x7)
+    x17 = x4 * x4
+    x18 = x12 * x16 * x4 * x6 * (44 * x15 - 19 * x17) / (18 * x5)
+    x19 = x12 * (1 / 2 * x15 - 457 * x17 / 432) + x2 * x4 / 3
+    # Outputs
+    lower = x18 + x19 - x9
+    upper = x19 + x9 - x18
+    return lower, upper
+
+
+def _resonance(Omega, q, mu):
+    return Omega, Omega, q, mu
+
+
+def _slow_flow_matrix(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = -mu
+    x1 = Omega * Omega
+    x2 = x1 * x1
+    x3 = Omega * x1
+    x4 = x2 * x3
+    x5 = 1 / x4
+    x6 = q * q
+    x7 = x6 / x3
+    x8 = 1 / x2
+    x9 = sigma * sigma
+    x10 = Omega * x2
+    x11 = x6 * x9 / x10
+    x12 = x6 * x6
+    x13 = mu * mu
+    x14 = (
+        11 * sigma * x6 * x8 / 9 + sigma + 65 * x12 * x5 / 432 - 85 * x11 / 27 - x7 / 3
+        - 1 / 2 * x13 / Omega
+    )
+    x15 = 2 * x11 + 1 / 2 * x7 - sigma * x6 * x8 - x12 * x5 / 9
+    # Outputs
+    out[..., 0, 0].real = x0
+    out[..., 0, 0].imag = x14
+    out[..., 0, 1].imag = -x15
+    out[..., 1, 0].imag = x15
+    out[..., 1, 1].real = x0
+    out[..., 1, 1].imag = -x14
+
+
+def _characteristic_coefficients(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = x0 * x0
+    x2 = x1 * x1
+    x3 = x0 * x2
+    x4 = 1 / x3
+    x5 = x0 * x1
+    x6 = 1 / x5
+    x7 = mu * mu
+    x8 = sigma * x7
+    x9 = q * q
+    x10 = x9 * x9
+    x11 = x10 / x2
+    x12 = Omega * x1
+    x13 = x9 / x12
+    x14 = x9 / x1
+    x15 = sigma * sigma
+    x16 = x10 * x9
+    x17 = sigma * x15
+    x18 = x7 * x7
+    x19 = x10 * x10
+    x20 = x2 * x5
+    x21 = x1 * x2
+    x22 = Omega * x2
+    x23 = Omega * x0
+    x24 = x1 * x23
+    x25 = x2 * x23
+    x26 = x15 * x15
+    # Outputs
+    c1_1 = 2 * mu
+    c1_0 = (
+        35 * sigma * x10 / (72 * x24) + 283 * sigma * x16 / (1944 * x25)
+        + 4309 * x10 * x26 * x4 / 729 + 16 * x11 * x15 / 27 + 22 * x14 * x15 / 9 + x14 * x7 / 3
+        + 85 * x15 * x6 * x7 * x9 / 27 + x15 + 7 * x16 * x4 / 648 + 1921 * x19 / (186624 * x20) + x7
+        + 1 / 4 * x18 / x0 - 2 * sigma * x9 / (3 * x23) - 898 * x10 * x17 / (243 * x22)
+        - 5 * x10 * x6 / 36 - 65 * x11 * x7 / 432 - 170 * x13 * x17 / 27 - 11 * x13 * x8 / 9
+        - 2933 * x15 * x16 / (5832 * x21) - x8 / Omega
+    )
+    multiply_out(out, ((c1_1, c1_0), 1))
+
+
+def _slow_flow(out, A_x, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = x0 * x0
+    x2 = Omega * x0
+    x3 = x1 * x2
+    x4 = 1 / x3
+    x5 = sigma * x2
+    x6 = sigma * sigma
+    x7 = x0 * x6
+    x8 = q * q
+    x9 = x8 * x8
+    x10 = mu * mu
+    x11 = x0 * x1
+    # Outputs
+    out[..., 0] = (
+        A_x * x4 * (1j * (sigma * x3 + 11 * x5 * x8 / 9 + 65 * x9 / 432 - x1 * x8 / 3
+        - 1 / 2 * x10 * x11 - 85 * x7 * x8 / 27) - mu * x3)
+        - 1j * x4 * x8 * (9 * x1 + 36 * x7 - 18 * x5 - 2 * x8) * np.conj(A_x) / 18
+    )
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    The larger real part of the roots of Γ² + bΓ + c, each of them found without cancellation.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case. No finite number
+    where q or mu is zero: what damping does as it vanishes depends on its distribution. Emit the
+    undamped case for that.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in omega.
+
+    Where omega = Omega + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2, 2), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_slow_flow_matrix, arguments, (2, 2))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_characteristic_coefficients, arguments, (3,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))

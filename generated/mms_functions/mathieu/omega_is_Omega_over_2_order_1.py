@@ -1,0 +1,324 @@
+# Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
+# Made from sha256 8c2db52168bedc9536b21fc463747cc96e5612cf2099609670267fc3f9a67744
+# Operations for each point: growth_rate 9, boundaries 8, resonance 1, slow_flow_matrix 2,
+# characteristic_coefficients 9, slow_flow 9
+"""mathieu: omega = 1/2*Omega + sigma, order 1.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 1 in ε, of x. Results are written at ε = 1.
+
+Stability depends: Gamma**2 + 2*Gamma*mu + (Omega**2*mu**2 + Omega**2*sigma**2 - q**2)/Omega**2 is
+damped, and unstable near resonance if -64*(Omega*mu - q)*(Omega*mu + q)/Omega**2 > 0.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; NIST DLMF, section 28.6
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    multiply_out,
+    quadratic_growth,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("omega = 1/2*Omega + sigma",)
+
+#: the highest power of ε
+ORDER = 1
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x",)
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, omega = Omega/2 + sigma"),
+    "Omega": ("positive", "rad/s", "frequency of the modulation"),
+    "q": ("nonnegative", "rad^2/s^2", "half the modulation of the stiffness"),
+    "mu": ("nonnegative", "1/s", "rate at which free oscillations decay"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, Omega, q, mu):
+    # Intermediates
+    x0 = sigma * sigma
+    x1 = mu * mu
+    x2 = q * q
+    x3 = Omega * Omega
+    # Outputs
+    b_1 = 2 * mu
+    c_1 = x0 + x1 - x2 / x3
+    return quadratic_growth(b_1, c_1)
+
+
+def _boundaries(Omega, q, mu):
+    # Intermediates
+    x0 = Omega * mu
+    x1 = np.sqrt(q - x0)
+    x2 = np.sqrt(q + x0)
+    x3 = x1 * x2 / Omega
+    # Outputs
+    lower = -x3
+    upper = x3
+    return lower, upper
+
+
+def _resonance(Omega, q, mu):
+    centre = 1 / 2 * Omega
+    return centre, Omega, q, mu
+
+
+def _slow_flow_matrix(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = -mu
+    x1 = q / Omega
+    # Outputs
+    out[..., 0, 0].real = x0
+    out[..., 0, 0].imag = sigma
+    out[..., 0, 1].imag = -x1
+    out[..., 1, 0].imag = x1
+    out[..., 1, 1].real = x0
+    out[..., 1, 1].imag = -sigma
+
+
+def _characteristic_coefficients(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = sigma * sigma
+    x1 = mu * mu
+    x2 = q * q
+    x3 = Omega * Omega
+    # Outputs
+    c1_1 = 2 * mu
+    c1_0 = x0 + x1 - x2 / x3
+    multiply_out(out, ((c1_1, c1_0), 1))
+
+
+def _slow_flow(out, A_x, sigma, Omega, q, mu):
+    out[..., 0] = A_x * (1j * sigma - mu) - 1j * q * np.conj(A_x) / Omega
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    The larger real part of the roots of Γ² + bΓ + c, each of them found without cancellation.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in omega.
+
+    Where omega = 1/2*Omega + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2, 2), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_slow_flow_matrix, arguments, (2, 2))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_characteristic_coefficients, arguments, (3,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))

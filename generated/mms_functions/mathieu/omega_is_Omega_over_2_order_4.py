@@ -1,0 +1,494 @@
+# Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
+# Made from sha256 648664f5ad1d6454e99770e024a1811af452f4c72eb2662b7f8c6a26cd6646e2
+# Operations for each point: growth_rate 172, boundaries 55, resonance 1, slow_flow_matrix 55,
+# characteristic_coefficients 172, slow_flow 60
+"""mathieu: omega = 1/2*Omega + sigma, order 4.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 4 in ε, of x. Results are written at ε = 1.
+
+Stability depends: Gamma**2 + 2*Gamma*mu + (Omega**2*mu**2 + Omega**2*sigma**2 - q**2)/Omega**2 is
+damped, and unstable near resonance if -64*(Omega*mu - q)*(Omega*mu + q)/Omega**2 > 0.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; NIST DLMF, section 28.6
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    multiply_out,
+    quadratic_growth,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("omega = 1/2*Omega + sigma",)
+
+#: the highest power of ε
+ORDER = 4
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x",)
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, omega = Omega/2 + sigma"),
+    "Omega": ("positive", "rad/s", "frequency of the modulation"),
+    "q": ("nonnegative", "rad^2/s^2", "half the modulation of the stiffness"),
+    "mu": ("nonnegative", "1/s", "rate at which free oscillations decay"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = x0 * x0
+    x2 = x0 * x1
+    x3 = 1 / x2
+    x4 = 1 / x0
+    x5 = x1 * x1
+    x6 = x0 * x5
+    x7 = 1 / x6
+    x8 = 1 / x1
+    x9 = Omega * x0
+    x10 = x1 * x9
+    x11 = 1 / x10
+    x12 = sigma * x11
+    x13 = Omega * x1
+    x14 = 1 / x13
+    x15 = sigma * x14
+    x16 = 1 / x9
+    x17 = sigma * x16
+    x18 = q * q
+    x19 = 3 * x18
+    x20 = mu * mu
+    x21 = sigma * x20
+    x22 = x18 * x18
+    x23 = x18 * x22
+    x24 = x1 * x5
+    x25 = x23 / x24
+    x26 = x22 * x7
+    x27 = Omega * x5
+    x28 = x22 / x27
+    x29 = 1 / x5
+    x30 = x22 * x29
+    x31 = 7 * x18
+    x32 = x20 * x20
+    x33 = x18 * x32
+    x34 = 16 * x32
+    x35 = sigma * sigma
+    x36 = sigma * x35
+    x37 = x14 * x36
+    x38 = x35 * x8
+    x39 = x20 * x36
+    x40 = x20 * x35
+    x41 = x18 * x20
+    x42 = x20 * x32
+    x43 = x35 * x35
+    x44 = x32 * x32
+    x45 = x22 * x22
+    x46 = x2 * x5
+    x47 = x5 * x9
+    # Outputs
+    b_1 = 2 * mu
+    c_1 = (
+        233 * sigma * x23 / (6 * x47) + 58 * x11 * x18 * x39 + 21 * x12 * x33 + 20 * x15 * x41
+        + x17 * x19 + 15 * x18 * x37 + 263 * x20 * x30 / 12 + x20 + 15 / 4 * x22 * x3
+        + 71 * x26 * x32 / 3 + 589 * x26 * x40 / 6 + 225 / 4 * x26 * x43 + x3 * x34 * x43
+        + 8 * x3 * x35 * x42 + x3 * x44 + 139 / 4 * x30 * x35 + 12 * x32 * x38 + x32 * x4 + x35
+        + 4 * x4 * x40 + 2 * x42 * x8 + 18769 * x45 / (576 * x46) - 245 * x12 * x22 / 12
+        - 4 * x15 * x42 - 8 * x16 * x39 - 6 * x17 * x32 - 41 * x18 * x3 * x40 - x18 * x4
+        - x19 * x20 * x8 - 959 * x20 * x25 / 24 - 142 * x21 * x28 / 3 - 283 / 16 * x23 * x7
+        - 1379 / 16 * x25 * x35 - 105 / 2 * x28 * x36 - x29 * x31 * x42 - 43 * x29 * x33 * x35
+        - 60 * x29 * x41 * x43 - 10 * x3 * x33 - x31 * x38 - x34 * x37 - 2 * x21 / Omega
+    )
+    return quadratic_growth(b_1, c_1)
+
+
+def _boundaries(Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = x0 * x0
+    x2 = Omega * x0
+    x3 = x1 * x2
+    x4 = 1 / x3
+    x5 = mu * mu
+    x6 = x5 * x5
+    x7 = x1 * x6
+    x8 = q * q
+    x9 = x8 * x8
+    x10 = 29 / 2 * x0 * x5 * x8 - 5 * x7 - 187 * x9 / 24
+    x11 = 1 / x2
+    x12 = x0 * x5 - 3 / 2 * x8
+    x13 = Omega * mu
+    x14 = x13 - q
+    x15 = np.sqrt(-x14)
+    x16 = q + x13
+    x17 = np.sqrt(x16)
+    x18 = np.sqrt(1 / x16)
+    x19 = Omega * x1
+    x20 = (
+        8 * x15 * x18 * (11 / 16 * x0 * x5 * x8 - 1 / 4 * x7 - 11 / 32 * x9) / (x14 * x19)
+        + x15 * x17 / Omega
+    )
+    # Outputs
+    lower = x10 * x4 + x11 * x12 - x20
+    upper = x10 * x4 + x11 * x12 + x20
+    return lower, upper
+
+
+def _resonance(Omega, q, mu):
+    centre = 1 / 2 * Omega
+    return centre, Omega, q, mu
+
+
+def _slow_flow_matrix(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = -mu
+    x1 = Omega * Omega
+    x2 = Omega * x1
+    x3 = 1 / x2
+    x4 = 1 / Omega
+    x5 = q * q
+    x6 = 7 / 2 * x5
+    x7 = x1 * x1
+    x8 = Omega * x7
+    x9 = 1 / x8
+    x10 = mu * mu
+    x11 = sigma * sigma
+    x12 = x10 * x10
+    x13 = x5 * x5
+    x14 = x2 * x7
+    x15 = (
+        sigma + 2 * sigma * x10 / x1 + x10 * x6 * x9 + 15 / 2 * x11 * x5 * x9 + 3 / 2 * x3 * x5
+        - sigma * x6 / x7 - 4 * x10 * x11 * x3 - x10 * x4 - x12 * x3 - 137 * x13 / (24 * x14)
+    )
+    x16 = q * x5
+    x17 = 3 / 4 * x16
+    x18 = x1 * x7
+    x19 = sigma * x17 / x18 + x17 * x9 - q * x4
+    # Outputs
+    out[..., 0, 0].real = x0
+    out[..., 0, 0].imag = x15
+    out[..., 0, 1].imag = x19
+    out[..., 1, 0].imag = -x19
+    out[..., 1, 1].real = x0
+    out[..., 1, 1].imag = -x15
+
+
+def _characteristic_coefficients(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = x0 * x0
+    x2 = x0 * x1
+    x3 = 1 / x2
+    x4 = 1 / x0
+    x5 = x1 * x1
+    x6 = x0 * x5
+    x7 = 1 / x6
+    x8 = 1 / x1
+    x9 = Omega * x0
+    x10 = x1 * x9
+    x11 = 1 / x10
+    x12 = sigma * x11
+    x13 = Omega * x1
+    x14 = 1 / x13
+    x15 = sigma * x14
+    x16 = 1 / x9
+    x17 = sigma * x16
+    x18 = q * q
+    x19 = 3 * x18
+    x20 = mu * mu
+    x21 = sigma * x20
+    x22 = x18 * x18
+    x23 = x18 * x22
+    x24 = x1 * x5
+    x25 = x23 / x24
+    x26 = x22 * x7
+    x27 = Omega * x5
+    x28 = x22 / x27
+    x29 = 1 / x5
+    x30 = x22 * x29
+    x31 = 7 * x18
+    x32 = x20 * x20
+    x33 = x18 * x32
+    x34 = 16 * x32
+    x35 = sigma * sigma
+    x36 = sigma * x35
+    x37 = x14 * x36
+    x38 = x35 * x8
+    x39 = x20 * x36
+    x40 = x20 * x35
+    x41 = x18 * x20
+    x42 = x20 * x32
+    x43 = x35 * x35
+    x44 = x32 * x32
+    x45 = x22 * x22
+    x46 = x2 * x5
+    x47 = x5 * x9
+    # Outputs
+    c1_1 = 2 * mu
+    c1_0 = (
+        233 * sigma * x23 / (6 * x47) + 58 * x11 * x18 * x39 + 21 * x12 * x33 + 20 * x15 * x41
+        + x17 * x19 + 15 * x18 * x37 + 263 * x20 * x30 / 12 + x20 + 15 / 4 * x22 * x3
+        + 71 * x26 * x32 / 3 + 589 * x26 * x40 / 6 + 225 / 4 * x26 * x43 + x3 * x34 * x43
+        + 8 * x3 * x35 * x42 + x3 * x44 + 139 / 4 * x30 * x35 + 12 * x32 * x38 + x32 * x4 + x35
+        + 4 * x4 * x40 + 2 * x42 * x8 + 18769 * x45 / (576 * x46) - 245 * x12 * x22 / 12
+        - 4 * x15 * x42 - 8 * x16 * x39 - 6 * x17 * x32 - 41 * x18 * x3 * x40 - x18 * x4
+        - x19 * x20 * x8 - 959 * x20 * x25 / 24 - 142 * x21 * x28 / 3 - 283 / 16 * x23 * x7
+        - 1379 / 16 * x25 * x35 - 105 / 2 * x28 * x36 - x29 * x31 * x42 - 43 * x29 * x33 * x35
+        - 60 * x29 * x41 * x43 - 10 * x3 * x33 - x31 * x38 - x34 * x37 - 2 * x21 / Omega
+    )
+    multiply_out(out, ((c1_1, c1_0), 1))
+
+
+def _slow_flow(out, A_x, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = q * q
+    x1 = 3 * x0
+    x2 = 7 / 2 * x0
+    x3 = Omega * Omega
+    x4 = x3 * x3
+    x5 = x3 * x4
+    x6 = Omega * x4
+    x7 = Omega * x3
+    x8 = x4 * x7
+    x9 = mu * mu
+    x10 = sigma * sigma
+    x11 = x0 * x0
+    x12 = x9 * x9
+    # Outputs
+    out[..., 0] = (
+        A_x * (1j * (2 * sigma * x6 * x9 + sigma * x8 + 15 / 2 * x0 * x10 * x3 + 3 / 2 * x0 * x4
+        + x2 * x3 * x9 - sigma * x2 * x7 - 4 * x10 * x4 * x9 - 137 * x11 / 24 - x12 * x4 - x5 * x9)
+        - mu * x8) / x8 - 1 / 4 * 1j * q * (4 * x6 - Omega * x1 - sigma * x1) * np.conj(A_x) / x5
+    )
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    The larger real part of the roots of Γ² + bΓ + c, each of them found without cancellation.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case. No finite number
+    where q or mu is zero: what damping does as it vanishes depends on its distribution. Emit the
+    undamped case for that.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in omega.
+
+    Where omega = 1/2*Omega + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2, 2), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_slow_flow_matrix, arguments, (2, 2))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_characteristic_coefficients, arguments, (3,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
