@@ -1,0 +1,67 @@
+"""Two coordinates in internal resonance: emitted functions against printed formulas."""
+
+from __future__ import annotations
+
+import math
+from cmath import exp
+
+import numpy as np
+import pytest
+from entries import certificates, demand_notebook, emitted
+
+ROUNDING = 1e-14
+"""A dozen operations on numbers of order one."""
+
+QUADRATIC, INTERNAL = "internal_resonance_1_2", "omega_2_is_two_omega_1"
+
+
+@pytest.mark.pinned
+@pytest.mark.parametrize("name", ["internal_resonance_1_2"])
+def test_the_notebooks_of_internal_resonance(name: str) -> None:
+    demand_notebook(name)
+
+
+@pytest.mark.parametrize(("name", "cases"), [("internal_resonance_1_2", 6)])
+def test_certificates_of_internal_resonance(name: str, cases: int) -> None:
+    found = certificates(name)
+    assert len(found) == cases
+    for data in found.values():
+        (fit,) = data["fits"]
+        assert fit["theory"] == data["order"]
+        # generic values: no error term vanishes, and the next one is small beside it
+        assert abs(float(fit["fitted"]) - fit["theory"]) < 0.1
+
+
+def test_saturation() -> None:
+    """N&M, chapter 6: a_2 without a force in it, and a_1 from the quadratic equation."""
+    w1, m1, m2, c1, c2, s1, s2, force = 0.9, 0.03, 0.02, 0.4, 0.7, 0.05, -0.02, 0.4
+    a2 = 2 * w1 / c1 * math.hypot(2 * m1, s1 + s2)
+    factor = 2 * w1 * 2 * w1 / (c1 * c2)
+    g1 = factor * (2 * m1 * m2 - s2 * (s1 + s2))
+    g2 = factor * (2 * m1 * s2 + m2 * (s1 + s2))
+    a1 = 2 * math.sqrt(-g1 + math.sqrt((force / (2 * c2)) ** 2 - g2**2))
+    # phases from the two conditions of the first equation, then of the second
+    difference = math.atan2(-m1, -(s1 + s2) / 2)
+    sine = (a1**2 * c2 * math.sin(difference) / (8 * w1) - a2 * m2) * 4 * w1 / force
+    cosine = (-(a1**2) * c2 * math.cos(difference) / (8 * w1) - a2 * s2) * 4 * w1 / force
+    second = math.atan2(sine, cosine)
+    first = (difference + second) / 2
+    b = np.array([a1 / 2 * exp(1j * first), a2 / 2 * exp(1j * second)])
+    case = emitted(QUADRATIC, f"{INTERNAL}_and_Omega_is_omega_2_order_1")
+    values = {"omega_1": w1, "mu_1": m1, "mu_2": m2, "alpha_1": c1, "alpha_2": c2}
+    values |= {"F_2": force, "sigma_1": s1, "sigma_2": s2}
+    assert np.abs(case.slow_flow(b, **values)).max() < ROUNDING
+    assert np.abs(case.slow_flow(1.001 * b, **values)).max() > 1e-6
+
+
+def test_energy_of_the_free_exchange() -> None:
+    """a_1² + ν a_2² is constant without damping, ν = α_1 ω_2/(α_2 ω_1), and falls with it."""
+    case = emitted(QUADRATIC, f"{INTERNAL}_order_1")
+    b = np.array([0.3 - 0.2j, 0.1 + 0.4j])
+    values = {"omega_1": 0.9, "alpha_1": 0.4, "alpha_2": 0.7, "sigma": 0.3}
+    weights = np.array([1.0, 2 * 0.4 / 0.7])
+    free = case.slow_flow(b, mu_1=0.0, mu_2=0.0, **values)
+    assert abs(np.sum(weights * (b.conj() * free).real)) < ROUNDING
+    damped = case.slow_flow(b, mu_1=0.05, mu_2=0.05, **values)
+    loss = -0.05 * np.sum(weights * np.abs(b) ** 2)
+    assert np.sum(weights * (b.conj() * damped).real) == pytest.approx(loss, rel=ROUNDING)
