@@ -91,15 +91,20 @@ class Grading:
         return p + self.field.gens[EPSILON] * self.field.linear(value.detuning)
 
     def __call__(self, c: Coefficient) -> Graded:
-        """The power series of a coefficient, up to the highest order kept."""
+        """The power series of a coefficient, up to the highest order kept.
+
+        The orders of a small coefficient count from its own: in the equation of a coordinate of
+        order 1, a force of order 3 is a term of order 2.
+        """
         series: dict[int, list[Coefficient]] = {}
         for k, p in c.num.items():
             for order, q in self._split(p).items():
                 series.setdefault(order, []).append(self.field.rotate(self.field.polynomial(q), k))
         graded = {order: self.field.sum(terms) for order, terms in series.items()}
+        graded = {order: x for order, x in graded.items() if x}
         divisors = [m for m, e in sorted(c.den.items()) for _ in range(e)]
         shift = sum(self._parts(m)[0] for m in divisors)
-        limit = self.order + shift
+        limit = self.order + max(shift, min(graded, default=0))
         for m in divisors:
             graded = self._multiply(graded, self._inverse(m, limit), limit)
         return {k - shift: x for k, x in sorted(graded.items()) if x and k <= limit}
