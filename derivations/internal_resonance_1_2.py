@@ -160,7 +160,7 @@ figure, axes = plt.subplots(figsize=(6.4, 2.8), layout="constrained")
 for j, name in enumerate(("$a_1$", "$a_2$")):
     axes.plot(times, moduli[j], color=plotting.COLOURS[j], ls=plotting.DASHES[j], label=name)
 axes.set(xlabel="time (s)", ylabel="amplitude (m)", xlim=(0, 2 * period))
-axes.legend(frameon=False)
+legend = axes.legend(frameon=False)
 
 # %% [markdown]
 # ## 4. The faster oscillator driven, $\Omega = \omega_2 + \varepsilon\sigma_2$: saturation
@@ -272,7 +272,7 @@ for j, (name, line) in enumerate((("$a_1$", line_1), ("$a_2$", line_2))):
     axes.plot(forces, line, color=colour, ls=plotting.DASHES[j], label=name)
     axes.plot(dots, found[:, j], plotting.MARKERS[j], color=colour, mfc="none")
 axes.set(xlabel="$F_2$ (m/s²)", ylabel="amplitude (m)", xlim=(0, forces[-1]), ylim=(0, None))
-axes.legend(frameon=False)
+legend = axes.legend(frameon=False)
 
 # %% [markdown]
 # ## 5. The slower oscillator driven, $\Omega = \omega_1 + \varepsilon\sigma_2$
