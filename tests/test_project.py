@@ -120,7 +120,7 @@ ALGEBRA = ("series",)
 # after it, and never what came before it.
 STAGES = ("model", "equations", "scaling", "resonance", "expansion", "slowflow", "boundary")
 # From a result to the emitted code, and the evidence for it.
-OUTPUT = ("ir", "codegen", "certify")
+OUTPUT = ("ir", "codegen", "certify", "conventions")
 # What shows or conducts: nothing above may need it.
 LEAVES = ("plotting", "report", "pipeline", "cli", "__main__")
 

@@ -15,9 +15,12 @@ from .certify import certify
 from .codegen import generate
 from .emission import Emission, publish
 from .equations import EquationsOfMotion
+from .equilibrium import Equilibrium
 from .errors import (
     CertificateError,
+    ConventionError,
     EmissionError,
+    EquilibriumError,
     ExpansionError,
     FloquetError,
     MmsgenError,
@@ -37,9 +40,12 @@ from .tables import ResonanceTable
 __all__ = [
     "Certificate",
     "CertificateError",
+    "ConventionError",
     "Emission",
     "EmissionError",
     "EquationsOfMotion",
+    "Equilibrium",
+    "EquilibriumError",
     "Expansion",
     "ExpansionError",
     "FloquetError",

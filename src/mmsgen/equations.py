@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from .equilibrium import Equilibrium, about, equilibria
 from .errors import ModelError
 from .linearisation import LinearPart, linear_part
 from .parameters import Parameter
@@ -195,6 +196,70 @@ class EquationsOfMotion:
             definition contradicts the mapping.
         """
         equations, declared = reparametrised(self, mapping, parameters, eliminate)
+        return self.with_occurring(equations, self.coordinates, declared)
+
+    def equilibria(self, neglecting: Iterable[sp.Symbol | str] = ()) -> tuple[Equilibrium, ...]:
+        """Find equilibria in closed form.
+
+        Parameters
+        ----------
+        neglecting : iterable of symbols or names
+            Parameters that are zero for it: those of the excitation, and small ones.
+
+        Returns
+        -------
+        tuple of Equilibrium
+            Those that were found, each with its check; of angles within one turn. Points that are
+            not real, or are shown to be no equilibrium, are left out.
+
+        Raises
+        ------
+        EquilibriumError
+            If the static equations depend on time, are not solved in closed form, have no real
+            solution, or leave a coordinate free.
+        """
+        return equilibria(self, neglecting)
+
+    def about(
+        self,
+        equilibrium: Equilibrium | Mapping[sp.Expr, sp.Expr | int],
+        *,
+        eliminate: Mapping[sp.Symbol | str, sp.Expr | int] | None = None,
+        parameters: Iterable[Parameter | sp.Symbol] = (),
+        neglecting: Iterable[sp.Symbol | str] = (),
+    ) -> EquationsOfMotion:
+        """Measure the coordinates from an equilibrium, q = q_e + (new) q, under the same symbol.
+
+        That the static equations vanish there is proven by exact algebra. Every coefficient of the
+        result has one normal form, in which names of radicals, sines and cosines stand for these.
+
+        Parameters
+        ----------
+        equilibrium : Equilibrium or mapping of coordinate to expression
+            Constant values in parameters, old or new; coordinates that are not named stay.
+        eliminate : mapping of symbol or name to expression
+            Parameters written in others at the same time, as by `reparametrise`. Where q_e is a
+            symbol of its own, its equation is solved for one parameter here: so every coefficient
+            stays rational, as in ``about({x: x_0}, eliminate={alpha: k / x_0**2})``.
+        parameters : sequence of Parameter or sympy.Symbol
+            New parameters. A `definition` by a function or radical makes a parameter its name:
+            sin(theta_0) and cos(theta_0) have to be named, so that coefficients are rational.
+        neglecting : iterable of symbols or names
+            Small parameters whose constant forces may remain at rest.
+
+        Returns
+        -------
+        EquationsOfMotion
+
+        Raises
+        ------
+        EquilibriumError
+            If the point is no equilibrium, naming the equation and the force that remains; if that
+            cannot be decided exactly; or if a sine or cosine has no name.
+        ModelError
+            As for `reparametrise`.
+        """
+        equations, declared = about(self, equilibrium, eliminate or {}, parameters, neglecting)
         return self.with_occurring(equations, self.coordinates, declared)
 
     def scale(

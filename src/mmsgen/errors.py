@@ -7,7 +7,9 @@ from __future__ import annotations
 
 __all__ = [
     "CertificateError",
+    "ConventionError",
     "EmissionError",
+    "EquilibriumError",
     "ExpansionError",
     "FloquetError",
     "MmsgenError",
@@ -23,6 +25,10 @@ class MmsgenError(ValueError):
 
 class ModelError(MmsgenError):
     """The Lagrangian, the equations, the coordinates or the parameters are inconsistent."""
+
+
+class EquilibriumError(ModelError):
+    """A point is no equilibrium, there is none, or it cannot be decided exactly."""
 
 
 class ScalingError(MmsgenError):
@@ -47,3 +53,7 @@ class FloquetError(MmsgenError):
 
 class CertificateError(MmsgenError):
     """A result does not have the accuracy that its order claims."""
+
+
+class ConventionError(MmsgenError):
+    """A result cannot be written in another convention as asked."""

@@ -9,13 +9,13 @@ import sympy as sp
 
 from .errors import ModelError
 from .parameters import Parameter
-from .terms import assemble, collect, motion, ratio, same
+from .terms import assemble, collect, motion, ratio, same, shortened
 from .validation import as_expression, as_parameters, names
 
 if TYPE_CHECKING:
     from .equations import EquationsOfMotion
 
-__all__ = ["reparametrised"]
+__all__ = ["known_symbol", "reparametrised"]
 
 
 def reparametrised(
@@ -48,13 +48,13 @@ def reparametrised(
     known = {p.name: p for p in eom.parameters}
     replaced: dict[sp.Symbol, sp.Expr] = {}
     for key, value in mapping.items():
-        old = _known_symbol(key, known)
+        old = known_symbol(key, known)
         if old in replaced:
             raise ModelError(f"{old} is replaced twice: once as a symbol, once by name")
         replaced[old] = as_expression(value, f"the expression for {old}")
         if eom.time in replaced[old].free_symbols:
             raise ModelError(f"the expression for {old} depends on time: a parameter is constant")
-    gone = set(replaced) | {_known_symbol(key, known) for key in eliminate}
+    gone = set(replaced) | {known_symbol(key, known) for key in eliminate}
     # a symbol may be given a new meaning, such as k → k/m: then it is old and new at once
     gone -= {s for value in replaced.values() for s in value.free_symbols} & set(replaced)
     new = as_parameters(parameters)
@@ -76,13 +76,20 @@ def reparametrised(
         if survivors:
             raise ModelError(
                 f"{names(survivors)} did not cancel from the equation of {q}: it still reads "
-                f"{_shortened(left)} = 0. Replace what is left, or keep the parameter"
+                f"{shortened(left)} = 0. Replace what is left, or keep the parameter"
             )
         equations.append(left)
     return equations, declared
 
 
-def _known_symbol(key: sp.Symbol | str, known: dict[str, Parameter]) -> sp.Symbol:
+def known_symbol(key: sp.Symbol | str, known: dict[str, Parameter]) -> sp.Symbol:
+    """The symbol of a parameter given as a symbol or by name.
+
+    Raises
+    ------
+    ModelError
+        If there is none, or one with other assumptions.
+    """
     name = key if isinstance(key, str) else getattr(key, "name", str(key))
     if name not in known or (isinstance(key, sp.Basic) and key != known[name].symbol):
         raise ModelError(
@@ -167,8 +174,3 @@ def _inertia(
     total = ratio(total)
     varies = time in total.free_symbols or total.has(sp.nan, sp.zoo, sp.oo, -sp.oo)
     return sp.S.One if varies or total == 0 else total
-
-
-def _shortened(expr: sp.Expr, longest: int = 200) -> str:
-    text = str(expr)
-    return text if len(text) <= longest else text[:longest] + " …"

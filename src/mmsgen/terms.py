@@ -22,7 +22,7 @@ from math import lcm
 import sympy as sp
 from sympy.core.function import AppliedUndef
 
-__all__ = ["assemble", "collect", "expanded", "motion", "ratio", "same"]
+__all__ = ["assemble", "collect", "expanded", "motion", "ratio", "same", "shortened"]
 
 # multiplied out, and nothing else: powers and logarithms stay as the user wrote them
 _HINTS = {"power_base": False, "power_exp": False, "log": False, "basic": False}
@@ -253,3 +253,9 @@ def same(left: sp.Expr, right: sp.Expr) -> bool:
     False means that they differ or that this algebra cannot prove them equal.
     """
     return bool(left == right or ratio(left - right) == 0)
+
+
+def shortened(expr: sp.Expr, longest: int = 200) -> str:
+    """An expression as text for a message."""
+    text = str(expr)
+    return text if len(text) <= longest else text[:longest] + " …"
