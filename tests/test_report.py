@@ -311,6 +311,14 @@ def test_parameter_table() -> None:
     assert len({line.count("|") for line in table._repr_markdown_().splitlines()}) == 1
 
 
+def test_products_in_a_table_are_no_emphasis() -> None:
+    relations = ("Omega = 2*x, y = 3*x", "Omega = 2*x", "$a*b*c$")
+    table = Table(("case",) * 3, (relations,))
+    row = table._repr_markdown_().splitlines()[-1]
+    assert row == r"| Omega = 2\*x, y = 3\*x | Omega = 2*x | $a*b*c$ |"
+    assert str(table).splitlines()[-1] == "\t".join(relations)
+
+
 def test_table_and_statement() -> None:
     table = Table(("a", "b"), (("1", "2"), ("3", "4")))
     assert str(table) == repr(table) == "a\tb\n1\t2\n3\t4"

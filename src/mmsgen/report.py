@@ -89,6 +89,11 @@ class Formula:
     __repr__ = __str__
 
 
+def _cell(text: str) -> str:
+    """A cell in Markdown, where a pair of asterisks is emphasis; formulas stay as they are."""
+    return text.replace("*", r"\*") if text.count("*") > 1 and "$" not in text else text
+
+
 @dataclass(frozen=True)
 class Table:
     """A table for a notebook, or as tab-separated text."""
@@ -98,7 +103,7 @@ class Table:
 
     def _repr_markdown_(self) -> str:
         lines = ["| " + " | ".join(self.headings) + " |", "|" + "---|" * len(self.headings)]
-        lines += ["| " + " | ".join(row) + " |" for row in self.rows]
+        lines += ["| " + " | ".join(map(_cell, row)) + " |" for row in self.rows]
         return "\n".join(lines)
 
     def __str__(self) -> str:

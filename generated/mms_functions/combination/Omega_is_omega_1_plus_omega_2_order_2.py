@@ -1,0 +1,509 @@
+# Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
+# Made from sha256 91e6aef914a6a753446b6ff36e65eb759d0d9696597ab746cfb5de2832ea598f
+# Operations for each point: growth_rate 118, boundaries 46, resonance 1, slow_flow_matrix 54,
+# characteristic_coefficients 91, slow_flow 71
+"""combination: Omega = omega_1 + omega_2 + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of x, y. Results are written at ε = 1.
+
+Stability depends: the discriminant of Gamma**2 - I*Gamma*sigma - f_12*f_21/(4*omega_1*omega_2) is
+positive in an interval of the detuning if 4*f_12*f_21/(omega_1*omega_2) > 0.
+
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: omega_1 - omega_2.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    defined,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    growing,
+    multiply_out,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("Omega = omega_1 + omega_2 + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, Omega = omega_1 + omega_2 + sigma"),
+    "omega_1": ("positive", "rad/s", "natural frequency of the first mode"),
+    "omega_2": ("positive", "rad/s", "natural frequency of the second mode"),
+    "f_11": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "f_12": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "f_21": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "f_22": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {},
+    "y": {"sigma": 1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "conj(A_y)")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = 1 / omega_1
+    x1 = 1 / omega_2
+    x2 = omega_1 * omega_1
+    x3 = 1 / x2
+    x4 = omega_2 * omega_2
+    x5 = 1 / x4
+    x6 = omega_1 + omega_2
+    x7 = 1 / x6
+    x8 = omega_1 - omega_2
+    x9 = x8 * x8
+    x10 = 1 / x9
+    x11 = 1 / x8
+    x12 = 3 * omega_1 + omega_2
+    x13 = 1 / x12
+    x14 = omega_1 + 3 * omega_2
+    x15 = 1 / x14
+    x16 = omega_1 * omega_2
+    x17 = 1 / 2 * x16 + 1 / 2 * x2 + 1 / 2 * x4
+    x18 = sigma * sigma
+    x19 = f_11 * f_11
+    x20 = f_22 * f_22
+    x21 = x12 * x12
+    x22 = x19 * x19
+    x23 = x14 * x14
+    x24 = x20 * x20
+    x25 = x6 * x6
+    x26 = f_12 * f_12
+    x27 = f_21 * f_21
+    x28 = x2 * x2
+    x29 = x4 * x4
+    x30 = x16 + x2 + x4
+    x31 = x30 * x30
+    x32 = omega_1 * x2
+    x33 = omega_2 * x4
+    # Outputs
+    discriminant_1 = (
+        f_12 * f_21 * x0 * x1 + f_12 * f_21 * x11 * x13 * x17 * x19 * x5 * x7 / x32
+        + 1 / 4 * f_12 * f_21 * x18 * x3 * x5 + 2 * sigma * x1 * x11 * x15 * x20
+        + 2 * x0 * x1 * x10 * x13 * x15 * x19 * x20 - 1 / 2 * f_12 * f_21 * sigma * x0 * x1 * x7
+        - f_12 * f_21 * x11 * x15 * x17 * x20 * x3 * x7 / x33 - 2 * sigma * x0 * x11 * x13 * x19
+        - x10 * x24 * x5 / x23 - x10 * x22 * x3 / x21 - x18
+        - 1 / 16 * x26 * x27 * x31 / (x25 * x28 * x29)
+    )
+    return growing(discriminant_1)
+
+
+def _boundaries(omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = f_12 * f_21
+    x1 = np.sqrt(x0)
+    x2 = 1 / omega_2
+    x3 = np.sqrt(x2 / omega_1)
+    x4 = x1 * x3
+    x5 = omega_1 * omega_1
+    x6 = 1 / x5
+    x7 = 1 / 4 * x6
+    x8 = f_22 * f_22
+    x9 = f_11 * f_11
+    x10 = (
+        9 / 4 * x6 * x8 / (omega_1 + 3 * omega_2) + x7 * x9 / (3 * omega_1 + omega_2)
+        + x7 * (f_11 - f_22) * (f_11 + f_22) / (omega_1 - omega_2)
+        - 1 / 4 * f_12 * f_21 * x6 / (omega_1 + omega_2) - x2 * x6 * (x8 - 1 / 4 * x0)
+    )
+    # Outputs
+    lower = -x10 - x4
+    upper = x4 - x10
+    return defined(lower, upper)
+
+
+def _resonance(omega_1, omega_2, f_11, f_12, f_21, f_22):
+    centre = omega_1 + omega_2
+    return centre, omega_1, omega_2, f_11, f_12, f_21, f_22
+
+
+def _slow_flow_matrix(out, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = 1 / omega_1
+    x1 = 1 / (omega_1 - omega_2)
+    x2 = omega_1 * omega_1
+    x3 = 1 / x2
+    x4 = 1 / omega_2
+    x5 = 1 / (omega_1 + omega_2)
+    x6 = f_11 * f_11
+    x7 = f_12 * x0
+    x8 = omega_2 * omega_2
+    x9 = 1 / x8
+    x10 = f_22 * f_22
+    # Outputs
+    out[..., 0, 0].imag = (
+        f_12 * f_21 * x3 * x4 * x5 * (1 / 8 * omega_1 + 1 / 4 * omega_2)
+        - x0 * x1 * x6 / (3 * omega_1 + omega_2)
+    )
+    out[..., 0, 1].imag = 1 / 2 * x7 - 1 / 4 * f_12 * sigma * x3
+    out[..., 1, 0].imag = 1 / 4 * f_21 * sigma * x9 - 1 / 2 * f_21 * x4
+    out[..., 1, 1].imag = (
+        f_21 * x5 * x7 * x9 * (-1 / 4 * omega_1 - 1 / 8 * omega_2) + sigma
+        - x1 * x10 * x4 / (omega_1 + 3 * omega_2)
+    )
+
+
+def _characteristic_coefficients(out, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = 1 / 4 * omega_1
+    x1 = 1 / 4 * omega_2
+    x2 = f_12 * f_21
+    x3 = omega_1 * omega_1
+    x4 = omega_2 * omega_2
+    x5 = x2 / (x3 * x4)
+    x6 = omega_1 - omega_2
+    x7 = 1 / x6
+    x8 = 1 / omega_1
+    x9 = 1 / (3 * omega_1 + omega_2)
+    x10 = f_11 * f_11
+    x11 = x10 * x8 * x9
+    x12 = x11 * x7
+    x13 = 1 / omega_2
+    x14 = 1 / (omega_1 + 3 * omega_2)
+    x15 = f_22 * f_22
+    x16 = x13 * x14 * x15
+    x17 = 1 / 8 * omega_2
+    x18 = omega_1 + omega_2
+    x19 = x5 / x18
+    x20 = x19 * x7
+    x21 = sigma * sigma
+    x22 = x6 * x6
+    x23 = x18 * x18
+    x24 = f_12 * f_12
+    x25 = f_21 * f_21
+    x26 = omega_1 * x3
+    x27 = omega_2 * x4
+    # Outputs
+    c1_1 = 1j * (x12 + x16 * x7 + x5 * (x0 - x1) - sigma)
+    c1_0 = (
+        sigma * x12 + sigma * x19 * (omega_1 * x17 + 1 / 8 * x3 - 1 / 8 * x4)
+        + x10 * x20 * x9 * (-x0 - x17) + x14 * x15 * x20 * (1 / 8 * omega_1 + x1)
+        + 1 / 64 * x24 * x25 * (omega_1 + 2 * omega_2) * (2 * omega_1 + omega_2) / (x23 * x26 * x27)
+        - x11 * x16 / x22 - 1 / 4 * x13 * x2 * x8 - 1 / 16 * x21 * x5
+    )
+    multiply_out(out, ((c1_1, c1_0), 1))
+
+
+def _slow_flow(out, A_x, A_y, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = -sigma
+    x1 = 1 / 4 * 1j
+    x2 = omega_1 * omega_1
+    x3 = 1 / x2
+    x4 = 1 / (omega_1 + omega_2)
+    x5 = x1 / (omega_1 - omega_2)
+    x6 = f_11 * f_11
+    x7 = x3 * x6
+    x8 = omega_2 * omega_2
+    x9 = 1 / x8
+    x10 = 1 / 8 * 1j * f_12 * f_21 * x9
+    x11 = f_22 * f_22
+    x12 = x11 * x9
+    # Outputs
+    out[..., 0] = (
+        A_x * (1 / 8 * 1j * f_12 * f_21 * x3 * x4 + 1 / 8 * 1j * f_12 * f_21 * x3 / omega_2
+        - x1 * x7 / (3 * omega_1 + omega_2) - x5 * x7)
+        + f_12 * x1 * x3 * (2 * omega_1 + x0) * np.conj(A_y)
+    )
+    out[..., 1] = (
+        A_y * (x10 * x4 + x12 * x5 + x10 / omega_1 - x1 * x12 / (omega_1 + 3 * omega_2))
+        + f_21 * x1 * x9 * (2 * omega_2 + x0) * np.conj(A_x) - 1j * A_y * sigma
+    )
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    Amplitudes grow like exp(Γ t). Where the discriminant of the quadratic in Γ is positive, the
+    rate is half its root; elsewhere both modes are neutral and the rate is exactly 0.0.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+    f_22: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case.
+
+    Parameters
+    ----------
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21, f_22=f_22,
+    )
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(
+    *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+    f_22: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in Omega.
+
+    Where Omega = omega_1 + omega_2 + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21, f_22=f_22,
+    )
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2, 2), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (2, 2))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (3,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
+    f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))

@@ -1,0 +1,502 @@
+# Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
+# Made from sha256 75d3ada9a9ca52cd003cccf2d38316ff1fb7eb7e28d21dbc61aae23f3f381ad2
+# Operations for each point: growth_rate 81, boundaries 49, resonance 1, slow_flow_matrix 49,
+# characteristic_coefficients 84, slow_flow 67
+"""combination: Omega = 2*omega_1 + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of x, y. Results are written at ε = 1.
+
+It can be unstable: the discriminant of Gamma**2 + (-f_11 + omega_1*sigma)*(f_11 +
+omega_1*sigma)/(4*omega_1**2) is positive in an interval of the detuning.
+
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: 3*omega_1 - omega_2, omega_1 - omega_2.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    defined,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    growing,
+    multiply_out,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("Omega = 2*omega_1 + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("x", "y")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, Omega = 2*omega_1 + sigma"),
+    "omega_1": ("positive", "rad/s", "natural frequency of the first mode"),
+    "omega_2": ("positive", "rad/s", "natural frequency of the second mode"),
+    "f_11": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "f_12": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "f_21": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "f_22": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "x": {"sigma": 1 / 2},
+    "y": {},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)", "A_y")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = x0 * x0
+    x3 = 1 / x2
+    x4 = omega_1 + omega_2
+    x5 = 1 / x4
+    x6 = -omega_2
+    x7 = omega_1 + x6
+    x8 = 1 / x7
+    x9 = 3 * omega_1
+    x10 = omega_2 + x9
+    x11 = 1 / x10
+    x12 = x6 + x9
+    x13 = 1 / x12
+    x14 = sigma * sigma
+    x15 = f_11 * f_11
+    x16 = omega_2 * omega_2
+    x17 = x15 * x15
+    x18 = x0 * x2
+    x19 = omega_1 * x0
+    x20 = x10 * x10
+    x21 = x12 * x12
+    x22 = x4 * x4
+    x23 = x7 * x7
+    x24 = f_12 * f_12
+    x25 = f_21 * f_21
+    x26 = 5 * x0 - x16
+    x27 = x26 * x26
+    # Outputs
+    discriminant_1 = (
+        f_12 * f_21 * x11 * x13 * x15 * x3 * x5 * x8 * (3 / 2 * x16 - 15 / 2 * x0)
+        + f_12 * f_21 * sigma * x11 * x13 * x5 * x8 * (20 * x0 - 4 * x16) / omega_1 + x1 * x15
+        + 1 / 4 * x14 * x15 * x3 - 1 / 4 * sigma * x15 / x19
+        - 4 * x1 * x24 * x25 * x27 / (x20 * x21 * x22 * x23) - x14 - 9 / 64 * x17 / x18
+    )
+    return growing(discriminant_1)
+
+
+def _boundaries(omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = np.abs(f_11) / omega_1
+    x1 = omega_1 * omega_1
+    x2 = omega_1 * x1
+    x3 = 1 / x2
+    x4 = 1 / (omega_1 + omega_2)
+    x5 = -omega_2
+    x6 = 1 / (omega_1 + x5)
+    x7 = 3 * omega_1
+    x8 = 1 / (omega_2 + x7)
+    x9 = 1 / (x5 + x7)
+    x10 = x1 * x1
+    x11 = f_11 * f_11
+    x12 = omega_2 * omega_2
+    x13 = x12 * x12
+    x14 = (
+        10 * f_12 * f_21 * x10 + 5 / 4 * x1 * x11 * x12 - 2 * f_12 * f_21 * x1 * x12
+        - 9 / 8 * x10 * x11 - 1 / 8 * x11 * x13
+    )
+    # Outputs
+    lower = x14 * x3 * x4 * x6 * x8 * x9 - x0
+    upper = x0 + x14 * x3 * x4 * x6 * x8 * x9
+    return defined(lower, upper)
+
+
+def _resonance(omega_1, omega_2, f_11, f_12, f_21, f_22):
+    centre = 2 * omega_1
+    return centre, omega_1, omega_2, f_11, f_12, f_21, f_22
+
+
+def _slow_flow_matrix(out, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = 1 / 2 * sigma
+    x1 = f_11 * f_11
+    x2 = omega_1 * omega_1
+    x3 = omega_1 * x2
+    x4 = 3 / 16 * x1 / x3
+    x5 = omega_2 * omega_2
+    x6 = 5 * x2 - x5
+    x7 = 1 / omega_1
+    x8 = -omega_2
+    x9 = 1 / ((omega_1 + omega_2) * (omega_1 + x8))
+    x10 = 3 * omega_1
+    x11 = f_12 * f_21 / ((omega_2 + x10) * (x10 + x8))
+    x12 = x11 * x7 * x9
+    x13 = 1 / 2 * f_11 * x7 - 1 / 4 * f_11 * sigma / x2
+    x14 = x9 / omega_2
+    x15 = f_22 * f_22
+    # Outputs
+    out[..., 0, 0].imag = x12 * x6 + x4 - x0
+    out[..., 0, 1].imag = x13
+    out[..., 1, 0].imag = -x13
+    out[..., 1, 1].imag = x0 - x12 * x6 - x4
+    out[..., 2, 2].imag = x11 * x14 * (3 * x2 + x5) + 1 / 4 * x14 * x15
+
+
+def _characteristic_coefficients(out, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = f_11 * f_11
+    x3 = 1 / 16 * x2
+    x4 = x0 * x0
+    x5 = 1 / x4
+    x6 = omega_2 * omega_2
+    x7 = 5 * x0 - x6
+    x8 = omega_1 + omega_2
+    x9 = -omega_2
+    x10 = omega_1 + x9
+    x11 = 1 / (x10 * x8)
+    x12 = 3 * omega_1
+    x13 = omega_2 + x12
+    x14 = x12 + x9
+    x15 = f_12 * f_21 / (x13 * x14)
+    x16 = x11 * x15
+    x17 = sigma * sigma
+    x18 = x2 * x2
+    x19 = x0 * x4
+    x20 = omega_1 * x0
+    x21 = x10 * x10
+    x22 = x13 * x13
+    x23 = x14 * x14
+    x24 = x7 * x7
+    x25 = x8 * x8
+    x26 = f_12 * f_12
+    x27 = f_21 * f_21
+    x28 = x11 / omega_2
+    x29 = f_22 * f_22
+    # Outputs
+    c1_0 = (
+        sigma * x3 / x20 + x1 * x24 * x26 * x27 / (x21 * x22 * x23 * x25)
+        + x16 * x2 * x5 * (15 / 8 * x0 - 3 / 8 * x6) + 1 / 4 * x17 + 9 / 256 * x18 / x19
+        - 1 / 4 * x1 * x2 - x17 * x3 * x5 - sigma * x16 * x7 / omega_1
+    )
+    c2_0 = 1j * (x15 * x28 * (-3 * x0 - x6) - 1 / 4 * x28 * x29)
+    multiply_out(out, ((0.0, c1_0), 1), ((c2_0,), 1))
+
+
+def _slow_flow(out, A_x, A_y, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = 1j * A_x
+    x1 = f_12 * f_21
+    x2 = omega_2 * omega_2
+    x3 = x1 * x2
+    x4 = -omega_2
+    x5 = 3 * omega_1
+    x6 = 1 / ((omega_1 + omega_2) * (omega_1 + x4) * (omega_2 + x5) * (x4 + x5))
+    x7 = omega_1 * omega_1
+    x8 = x7 * x7
+    x9 = f_11 * f_11
+    x10 = omega_1 * x7
+    x11 = x2 * x2
+    x12 = f_22 * f_22
+    # Outputs
+    out[..., 0] = (
+        1 / 4 * 1j * f_11 * (2 * omega_1 - sigma) * np.conj(A_x) / x7 + x0 * x6 * (5 * x1 * x8 + 3
+        / 16 * x11 * x9 + 27 / 16 * x8 * x9 - 15 / 8 * x2 * x7 * x9 - x3 * x7) / x10
+        - 1 / 2 * sigma * x0
+    )
+    out[..., 1] = 1j * A_y * x6 * (3 * x1 * x7 + 9 / 4 * x12 * x7 + x3 - 1 / 4 * x12 * x2) / omega_2
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    Amplitudes grow like exp(Γ t). Where the discriminant of the quadratic in Γ is positive, the
+    rate is half its root; elsewhere both modes are neutral and the rate is exactly 0.0.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_1 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+    f_22: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case.
+
+    Parameters
+    ----------
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21, f_22=f_22,
+    )
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(
+    *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+    f_22: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in Omega.
+
+    Where Omega = 2*omega_1 + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21, f_22=f_22,
+    )
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_1 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3, 3), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (3, 3))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_1 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 4), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (4,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
+    f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = 2*omega_1 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
