@@ -22,7 +22,7 @@ from .consistency import arguments_of, demand_agreement, demand_speed_on_edge
 from .errors import CertificateError, FloquetError, MmsgenError
 from .loading import load
 from .motion import RTOL, exact_motion, first_order_system, reconstruction, slow_motion
-from .numeric import Evaluator, named_values
+from .numeric import Evaluator
 
 if TYPE_CHECKING:
     from .expansion import Expansion
@@ -101,7 +101,7 @@ def certify(
     MmsgenError
         If a value is unknown or unusable.
     """
-    floats = _scalars(named_values(case.parameters, values))
+    floats = _scalars(case.numbers(values))
     for epsilon in () if epsilons is None else epsilons:
         if not 0 < epsilon < np.inf:
             raise MmsgenError(f"ε must be positive and finite to certify, got {epsilon!r}")
@@ -245,7 +245,7 @@ def _edge_fit(
     (pivot,) = relation.lhs.free_symbols
     eom = case.weak.scaled.eom
     sigma = str(relation.detuning.name)
-    errors, floors, scale = [], [], 0.0
+    errors, floors, cut, scale = [], [], [], 0.0
     for epsilon in epsilons:
         slow, exact = scaled_values(case, values, epsilon)
         scale = scale or float(np.abs(predicted_exponents(case, module, slow)).max())
@@ -266,10 +266,16 @@ def _edge_fit(
         if not found.zones and 0 < growth < VISIBLE * found.threshold:
             errors.append(np.nan)
             floors.append(np.inf)
+            cut.append(False)
             continue
         zone = _zone(found, sum(edges) / 2)
         errors.append(max(abs(a - b) for a, b in zip(edges, zone[0], strict=True)))
         floors.append(zone[1])
+        cut.append(zone[0][0] == interval[0] or zone[0][1] == interval[1])
+    if not all(cut):
+        # What reaches the end of the interval has no edge there. Where all do, the errors are at
+        # least these, and tell that the zone is far too narrow.
+        floors = [np.inf if beyond else own for own, beyond in zip(floors, cut, strict=True)]
     return fit_exponent(
         "edges of the zone", case.order + 1, epsilons, errors, floors, limit=EDGE_LIMIT * scale
     )
@@ -317,6 +323,8 @@ def _motion_fit(
 
 def _zones_at(case: Expansion, module: Any, numbers: Mapping[Any, Any]) -> tuple[Zone, ...]:
     """Critical speeds at numbers, and Floquet's; none where there is no zone."""
+    if not hasattr(module, "critical_speeds"):
+        return ()
     (pivot,) = case.relations[0].lhs.free_symbols
     table = {str(getattr(k, "name", k)): float(v) for k, v in numbers.items()}
     arguments = arguments_of(module.critical_speeds, table)

@@ -6,10 +6,11 @@ conditions become SymPy expressions in the user's symbols.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 import sympy as sp
 
@@ -53,8 +54,8 @@ class Expansion:
 
     @property
     def coordinates(self) -> tuple[sp.Expr, ...]:
-        """q_j(t)."""
-        return tuple(self.weak.scaled.eom.coordinates)
+        """q_j(t), or modal coordinates η_j(t) where the leading order couples the q_j."""
+        return tuple(self.weak.scaled.coordinates)
 
     @property
     def amplitudes(self) -> tuple[sp.Symbol, ...]:
@@ -63,12 +64,17 @@ class Expansion:
 
     @cached_property
     def parameters(self) -> tuple[Parameter, ...]:
-        """The parameters of the equations, then one for each detuning."""
+        """The parameters of the equations and of their modes, then one for each detuning."""
         sigmas = (
             Parameter(r.detuning, "rad/s", f"detuning, {r.lhs} = {r.rhs} + {r.detuning}")
             for r in self.relations
         )
-        return (*self.weak.scaled.eom.parameters, *sigmas)
+        return (*self.weak.scaled.parameters, *sigmas)
+
+    def numbers(self, values: Mapping[Any, Any]) -> dict[str, Any]:
+        """Values by name, with those that follow; see `ScaledSystem.numbers`."""
+        scaled = self.weak.scaled
+        return scaled.numbers(values, self.parameters[len(scaled.parameters) :])
 
     @cached_property
     def symbols(self) -> FieldSymbols:
@@ -135,7 +141,7 @@ class Expansion:
             raise ExpansionError(f"particular solutions exist for orders 0 to {self.order - 1}")
         return {
             q: series_expression(
-                self.weak.ring, self.solver.q[p][j], self.symbols, self.fast_monomial
+                self.weak.ring, self.solver.eta[p][j], self.symbols, self.fast_monomial
             )
             for j, q in enumerate(self.coordinates)
         }

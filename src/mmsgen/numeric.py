@@ -14,6 +14,9 @@ from .parameters import Parameter, by_name
 
 __all__ = ["Evaluator", "compiled", "named_values"]
 
+LONGEST = 200
+"""Terms of a sum in compiled code."""
+
 
 def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> dict[str, Any]:
     """Values by parameter name, those of parameters with a definition filled in.
@@ -58,8 +61,11 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
             break
         for name, definition in ready.items():
             symbols = tuple(sorted(definition.free_symbols, key=str))
-            (number,) = compiled(symbols, (definition,))(*(table[str(s)] for s in symbols))
+            with np.errstate(all="ignore"):
+                (number,) = compiled(symbols, (definition,))(*(table[str(s)] for s in symbols))
             table[name] = np.asarray(number, dtype=float)
+            if not np.all(np.isfinite(table[name])):
+                raise MmsgenError(f"{name} = {definition} has no real value at these numbers")
             del pending[name]
     return table
 
@@ -73,9 +79,34 @@ def compiled(
     Compiling takes milliseconds, and the same few expressions come at every call.
     """
     function: Callable[..., list[Any]] = sp.lambdify(
-        symbols, list(expressions), "numpy", cse=True, dummify=True
+        symbols, list(expressions), "numpy", cse=_common_parts, dummify=True
     )
     return function
+
+
+def _common_parts(
+    expressions: list[sp.Expr],
+) -> tuple[list[tuple[sp.Symbol, sp.Expr]], list[sp.Expr]]:
+    """Common subexpressions, and long sums in parts: Python nests a sum as deep as it is long."""
+    replacements, reduced = sp.cse(expressions)
+    parts: list[tuple[sp.Symbol, sp.Expr]] = []
+
+    def split(sum_: sp.Expr) -> sp.Expr:
+        terms = list(sum_.args)
+        while len(terms) > LONGEST:
+            chunk, terms = terms[:LONGEST], terms[LONGEST:]
+            name = sp.Dummy("part")
+            parts.append((name, sp.Add(*chunk)))
+            terms.append(name)
+        return sp.Add(*terms)
+
+    def short(expression: sp.Expr) -> sp.Expr:
+        return expression.replace(lambda e: e.is_Add and len(e.args) > LONGEST, split)
+
+    for name, expression in replacements:
+        own = short(expression)
+        parts.append((name, own))
+    return parts, [short(e) for e in reduced]
 
 
 def _check_shapes(table: Mapping[str, Any]) -> None:

@@ -34,19 +34,36 @@ def residual_series(weak: WeakSystem, solver: Solver) -> list[PowerSeries]:
         ``[equation][order]``; all empty for a correct expansion.
     """
     ring, top = weak.ring, weak.order
-    coordinates = [[solver.q[p][j] for p in range(top + 1)] for j in range(ring.n)]
-    velocities = [_derivative(weak, solver, q) for q in coordinates]
-    accelerations = [_derivative(weak, solver, v) for v in velocities]
-    variables = [*coordinates, *velocities, *accelerations]
+    modes = [[solver.eta[p][j] for p in range(top + 1)] for j in range(ring.n)]
+    forces = _forces(weak, solver)
+    if solver.modal is not None:
+        forces = [_on_mode(weak, solver, forces, r) for r in range(ring.n)]
     residuals = []
     for j in range(ring.n):
+        acceleration = _derivative(weak, solver, _derivative(weak, solver, modes[j]))
         omega = ring.form_polynomial(ring.amplitude_frequencies[j])
         stiffness = ring.field.polynomial(omega * omega)
         total = [
-            ring.add(accelerations[j][p], ring.scale(coordinates[j][p], stiffness))
+            ring.add(acceleration[p], ring.scale(modes[j][p], stiffness), forces[j][p])
             for p in range(top + 1)
         ]
-        total[0] = ring.add(total[0], weak.forcing[j])
+        residuals.append(total)
+    return residuals
+
+
+def _forces(weak: WeakSystem, solver: Solver) -> list[PowerSeries]:
+    """F of every equation, the coordinates put in."""
+    ring, top = weak.ring, weak.order
+    coordinates = [[solver.q[p][j] for p in range(top + 1)] for j in range(ring.n)]
+    velocities = [_derivative(weak, solver, q) for q in coordinates]
+    if weak.basis is not None and weak.basis.gyroscopic:
+        # The same, by identities between all modes that no single coefficient knows of.
+        velocities = [[solver.v[p][j] for p in range(top + 1)] for j in range(ring.n)]
+    accelerations = [_derivative(weak, solver, v) for v in velocities]
+    variables = [*coordinates, *velocities, *accelerations]
+    result = []
+    for j in range(ring.n):
+        total: PowerSeries = [weak.forcing[j], *({} for _ in range(top))]
         for factors, by_order in weak.forces[j].items():
             product: PowerSeries = [{0: ring.field.one}, *({} for _ in range(top))]
             for index in factors:
@@ -54,8 +71,23 @@ def residual_series(weak: WeakSystem, solver: Solver) -> list[PowerSeries]:
             coefficient = [by_order.get(p, {}) for p in range(top + 1)]
             term = _multiply(ring, product, coefficient)
             total = [ring.add(a, b) for a, b in zip(total, term, strict=True)]
-        residuals.append(total)
-    return residuals
+        result.append(total)
+    return result
+
+
+def _on_mode(weak: WeakSystem, solver: Solver, forces: list[PowerSeries], r: int) -> PowerSeries:
+    """ΣΦF − (ΣΘF)'/ω of one mode, and what a detuning leaves of its stiffness."""
+    ring, basis, orders = weak.ring, weak.basis, range(weak.order + 1)
+    assert basis is not None
+    parts = basis.projections[r]
+    direct = [ring.add(*(ring.scale(forces[k][p], c) for k, c, _ in parts)) for p in orders]
+    turned = [ring.add(*(ring.scale(forces[k][p], c) for k, _, c in parts)) for p in orders]
+    rate = _derivative(weak, solver, turned)
+    over = [{0: -basis.inverses[r][p]} if p in basis.inverses[r] else {} for p in orders]
+    square = [{0: basis.squares[r][p]} if p in basis.squares[r] else {} for p in orders]
+    eta = [solver.eta[p][r] for p in orders]
+    products = zip(direct, _multiply(ring, rate, over), _multiply(ring, eta, square), strict=True)
+    return [ring.add(*terms) for terms in products]
 
 
 def _derivative(weak: WeakSystem, solver: Solver, f: Sequence[Series]) -> PowerSeries:

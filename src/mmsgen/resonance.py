@@ -132,7 +132,7 @@ def enumerate_resonances(weak: WeakSystem) -> ResonanceTable:
     ordered = sorted(
         resonances, key=lambda r: (not r.coupled, r.order, _position(r.relation, symbols))
     )
-    return ResonanceTable(ordered, tuple(weak.scaled.eom.parameters))
+    return ResonanceTable(ordered, tuple(weak.scaled.parameters), complete=weak.scaled.numbers)
 
 
 def _position(relation: sp.Eq, symbols: list[sp.Symbol]) -> tuple[Any, ...]:
@@ -161,7 +161,7 @@ def _record(
         elif survives != candidate.survives:
             continue
         exponents = ring.packing.exponents(key)
-        names = [coordinate_name(q) for q in solver.weak.scaled.eom.coordinates]
+        names = [coordinate_name(q) for q in solver.weak.scaled.coordinates]
         candidate.coordinates[names[j]] = None
         for i in range(ring.n):
             if exponents[2 * i] or exponents[2 * i + 1]:
@@ -216,7 +216,7 @@ def _vanishing_factor(solver: Solver, c: Coefficient, name: str, value: Any) -> 
     for p in c.num.values():
         common = p if common is None else common.gcd(p)
     assert common is not None
-    table = {p.name: p.symbol for p in solver.weak.scaled.eom.parameters}
+    table = {p.name: p.symbol for p in solver.weak.scaled.parameters}
     symbols = FieldSymbols(field_, table)
     for p, e in common.factor()[1]:
         if not _on_relation(field_, p, name, value):
@@ -235,7 +235,7 @@ def _resonance(
         -rational(constant),
     )
     reason = "" if candidate.survives else "; ".join(candidate.reasons)
-    names = [coordinate_name(q) for q in weak.scaled.eom.coordinates]
+    names = [coordinate_name(q) for q in weak.scaled.coordinates]
     return Resonance(
         sp.Eq(lhs, rhs, evaluate=False),
         kind_of(weak, form, candidate.signatures),

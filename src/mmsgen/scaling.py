@@ -10,7 +10,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cached_property
-from operator import index
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
@@ -18,12 +17,18 @@ import sympy as sp
 from .alphabet import Alphabet, survey
 from .errors import ResonanceError, ScalingError
 from .expansion import Expansion, expand
+from .expressions import FieldSymbols
+from .field import Coefficient
 from .grading import Grading
-from .leading import GradedTerm, LinearForm, graded_terms, leading_order
+from .leading import GradedTerm, LinearForm, at_leading_order, graded_terms, leading_part
+from .modes import Modes
+from .numeric import named_values
+from .orders import amplitude_orders, check_names, is_coordinate, whole
+from .oscillators import find_modes
+from .parameters import Parameter
 from .relations import solve_relations
 from .resonance import enumerate_resonances
-from .symbols import amplitude as amplitude_of
-from .symbols import coordinate_name, imaginary_part, modulus, phase, real_part
+from .symbols import coordinate_name
 from .tables import ResonanceTable
 from .taylor import Polynomial, Taylor
 from .truncation import weight_limit
@@ -67,77 +72,24 @@ def scale(
             f"got {orders!r}"
         )
     known = {p.name: p.symbol for p in eom.parameters}
-    _check_names(eom, known)
+    check_names(eom, known)
     resolved: dict[str, int] = {}
     for key, order in orders.items():
         name = key if isinstance(key, str) else str(getattr(key, "name", key))
         if name not in known:
-            hint = "; amplitudes are scaled by amplitude={...}" if _is_coordinate(eom, key) else ""
+            hint = "; amplitudes are scaled by amplitude={...}" if is_coordinate(eom, key) else ""
             raise ScalingError(
                 f"{key} is not a parameter of these equations, so it cannot be scaled; they have "
                 f"{', '.join(known)}{hint}"
             )
         if name in resolved:
             raise ScalingError(f"the parameter {name} is scaled twice: give it one order")
-        resolved[name] = _whole(order, f"the order of {name}", 0)
+        resolved[name] = whole(order, f"the order of {name}", 0)
     return ScaledSystem(
         eom,
         tuple((known[name], order) for name, order in resolved.items()),
-        tuple(_amplitude_order(q, amplitude) for q in eom.coordinates)
-        if not isinstance(amplitude, Mapping)
-        else _amplitude_orders(eom, amplitude),
+        amplitude_orders(eom, amplitude),
     )
-
-
-def _whole(value: object, what: str, least: int) -> int:
-    """A whole number, of whatever type."""
-    try:
-        number = least - 1 if isinstance(value, bool) else index(value)  # type: ignore[arg-type]
-    except TypeError:
-        number = least - 1
-    if number < least:
-        raise ScalingError(f"{what} must be a whole number >= {least}, got {value!r}")
-    return number
-
-
-def _check_names(eom: EquationsOfMotion, known: Mapping[str, sp.Symbol]) -> None:
-    """Amplitudes and phases are symbols too, which no parameter may be confused with."""
-    for q in eom.coordinates:
-        for made in (amplitude_of, modulus, phase, real_part, imaginary_part):
-            name = str(made(q).name)
-            if name in known:
-                raise ScalingError(
-                    f"the parameter {name} has the name of an amplitude or phase of {q} in the "
-                    "slow flow: rename the parameter"
-                )
-
-
-def _is_coordinate(eom: EquationsOfMotion, key: object) -> bool:
-    return any(key == q or str(key) == coordinate_name(q) for q in eom.coordinates)
-
-
-def _amplitude_order(q: sp.Expr, value: object) -> Fraction:
-    try:
-        order = sp.sympify(value, strict=True)
-    except sp.SympifyError:
-        order = sp.nan
-    if not isinstance(order, sp.Rational) or order < 0:
-        raise ScalingError(
-            f"the order of the amplitude of {q} must be a rational number >= 0, got {value!r}"
-        )
-    return Fraction(int(order.p), int(order.q))
-
-
-def _amplitude_orders(
-    eom: EquationsOfMotion, amplitude: Mapping[sp.Expr, Any]
-) -> tuple[Fraction, ...]:
-    for key in amplitude:
-        if key not in eom.coordinates:
-            raise ScalingError(f"{key} is not a coordinate, so its amplitude cannot be scaled")
-    missing = [str(q) for q in eom.coordinates if q not in amplitude]
-    if missing:
-        raise ScalingError(f"no amplitude order is given for {', '.join(missing)}")
-    return tuple(_amplitude_order(q, amplitude[q]) for q in eom.coordinates)
 
 
 @dataclass(frozen=True)
@@ -162,44 +114,139 @@ class ScaledSystem:
     eom: EquationsOfMotion
     orders: tuple[tuple[sp.Symbol, int], ...]
     amplitude: tuple[Fraction, ...]
-    _cache: dict[Fraction, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
+    _cache: dict[Any, Any] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self._check_frequencies_are_not_small()
 
     # -- the polynomial form -------------------------------------------------------------
 
-    @cached_property
-    def alphabet(self) -> Alphabet:
-        """Generators, phasors and roots of unity of the equations."""
+    def _alphabet(self, named: tuple[Parameter, ...]) -> Alphabet:
         time = self.eom.time
         moving = [q.diff(time, k) if k else q for k in range(3) for q in self.eom.coordinates]
-        symbols = [p.symbol for p in self.eom.parameters]
+        symbols = [p.symbol for p in (*self.eom.parameters, *named)]
         return survey(self.eom.equations, time, symbols, frozenset(moving))
+
+    @cached_property
+    def _own_alphabet(self) -> Alphabet:
+        return self._alphabet(())
+
+    @cached_property
+    def alphabet(self) -> Alphabet:
+        """Generators, phasors and roots of unity of the equations, and what their modes name."""
+        named = self.modes.parameters
+        return self._alphabet(named) if named else self._own_alphabet
+
+    @cached_property
+    def modes(self) -> Modes:
+        """The oscillators of the leading order, in modal coordinates where they are coupled."""
+        grading = Grading(self._own_alphabet.field, self.generator_orders)
+        taylor, polynomials = self._polynomials(self._own_alphabet, 0)
+        terms = [graded_terms(taylor, p, grading, j) for j, p in enumerate(polynomials)]
+        symbols = FieldSymbols(grading.field, self._table(self._own_alphabet, self.eom.parameters))
+        names = {p.name for p in self.eom.parameters}
+        names |= {coordinate_name(q) for q in self.eom.coordinates}
+        part = leading_part(taylor, terms)
+        modes = find_modes(self.eom.coordinates, part, symbols, self._own_alphabet.positive, names)
+        for component in modes.components:
+            if len({self.amplitude[j] for j in component.members}) > 1:
+                shown = ", ".join(
+                    coordinate_name(self.eom.coordinates[j]) for j in component.members
+                )
+                raise ScalingError(
+                    f"{shown} are coupled at leading order: their amplitudes need the same order"
+                )
+        return modes
+
+    def _table(self, alphabet: Alphabet, parameters: tuple[Parameter, ...]) -> dict[str, sp.Expr]:
+        """Generator name → what it stands for."""
+        return {
+            p.name: p.symbol ** sp.Rational(1, alphabet.roots.get(p.name, 1)) for p in parameters
+        }
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """The parameters of the equations, then the named quantities of the modes."""
+        return (*self.eom.parameters, *self.modes.parameters)
+
+    def numbers(
+        self, values: Mapping[Any, Any], detunings: tuple[Parameter, ...] = ()
+    ) -> dict[str, Any]:
+        """Values by name, with those that follow from definitions and those of the modes.
+
+        Parameters
+        ----------
+        values : mapping
+            Symbol or name → number or array.
+        detunings : tuple of Parameter
+            Further parameters that may be given.
+
+        Raises
+        ------
+        MmsgenError
+            If a value is unknown or unusable, or the leading order does not oscillate there.
+        """
+        parameters = (*self.parameters, *detunings)
+        table = named_values(parameters, values)
+        if not self.modes.components:
+            return table
+        missing = self.modes.numbers(table, self.eom.parameters)
+        return named_values(parameters, {**missing, **table})
+
+    @property
+    def coordinates(self) -> tuple[sp.Expr, ...]:
+        """Modal coordinates; one that is coupled to no other at leading order is its own."""
+        return self.modes.coordinates
 
     def polynomials(self, order: int) -> tuple[Taylor, tuple[Polynomial, ...]]:
         """The equations as polynomials in q, q', q'' and phasors, exact through ε^order."""
+        return self._polynomials(self.alphabet, order)
+
+    def _polynomials(self, alphabet: Alphabet, order: int) -> tuple[Taylor, tuple[Polynomial, ...]]:
         limit = max(self.amplitude) + (order if any(self.amplitude) else 0)
         if any(self.amplitude):
-            taylor = Taylor(self.alphabet, self.eom.coordinates, self.amplitude, limit)
+            taylor = Taylor(alphabet, self.eom.coordinates, self.amplitude, limit)
             limit = weight_limit(taylor, self.eom.equations, self.generator_orders, limit)
-        if limit not in self._cache:
-            taylor = Taylor(self.alphabet, self.eom.coordinates, self.amplitude, limit)
-            self._cache[limit] = taylor, tuple(taylor(e) for e in self.eom.equations)
-        result: tuple[Taylor, tuple[Polynomial, ...]] = self._cache[limit]
+        key = id(alphabet), limit
+        if key not in self._cache:
+            taylor = Taylor(alphabet, self.eom.coordinates, self.amplitude, limit)
+            self._cache[key] = taylor, tuple(taylor(e) for e in self.eom.equations)
+        result: tuple[Taylor, tuple[Polynomial, ...]] = self._cache[key]
         return result
 
     def graded(self, grading: Grading) -> tuple[Taylor, list[list[GradedTerm]]]:
-        """The terms of every equation by their order in ε."""
+        """The terms of every equation by their order in ε, without what the modes account for."""
         taylor, polynomials = self.polynomials(grading.order)
-        return taylor, [graded_terms(taylor, p, grading, j) for j, p in enumerate(polynomials)]
+        taken = self._taken(taylor, polynomials)
+        terms = []
+        for j, polynomial in enumerate(polynomials):
+            rest = {
+                key: c - taken[j, key] if (j, key) in taken else c for key, c in polynomial.items()
+            }
+            rest = {key: c for key, c in rest.items() if c}
+            terms.append(graded_terms(taylor, rest, grading, j))
+        return taylor, terms
+
+    def _taken(
+        self, taylor: Taylor, polynomials: tuple[Polynomial, ...]
+    ) -> dict[tuple[int, int], Coefficient]:
+        """(equation, monomial) → what the named modes hold of it."""
+        small = {name for name, order in self.generator_orders.items() if order}
+        units = frozenset(taylor.packing.unit[: taylor.dynamic])
+        return {
+            (j, key): at_leading_order(c, small)
+            for j, polynomial in enumerate(polynomials)
+            if self.modes.named[j]
+            for key, c in polynomial.items()
+            if key in units and taylor.weight(key) == taylor.weights[j]
+        }
 
     @cached_property
     def generator_orders(self) -> dict[str, int]:
         """Order of every generator of the field; a root of a parameter takes its share."""
         result = {}
         for symbol, order in self.orders:
-            q = self.alphabet.roots.get(str(symbol.name), 1)
+            q = self._own_alphabet.roots.get(str(symbol.name), 1)
             if order % q:
                 raise ScalingError(
                     f"{symbol}**(1/{q}) occurs, so the order of {symbol} must be a multiple of {q}"
@@ -207,19 +254,17 @@ class ScaledSystem:
             result[str(symbol.name)] = order // q
         return result
 
-    @cached_property
+    @property
     def natural_frequencies(self) -> tuple[LinearForm, ...]:
-        """ω_j of each coordinate as a linear form in frequency symbols."""
-        grading = Grading(self.alphabet.field, self.generator_orders)
-        taylor, terms = self.graded(grading)
-        return leading_order(taylor, terms, grading.field)[1]
+        """ω_j of each mode as a linear form in frequency symbols."""
+        return self.modes.frequencies
 
     @cached_property
     def frequencies(self) -> tuple[sp.Symbol, ...]:
         """The frequency symbols: natural ones in coordinate order, then those of excitations."""
         names = [n for form in self.natural_frequencies for n in form if n != "1"]
         names += [str(p.base.name) for p in self.alphabet.phasors if p.moving and p.base.is_Symbol]
-        symbols = {p.name: p.symbol for p in self.eom.parameters}
+        symbols = {p.name: p.symbol for p in self.parameters}
         return tuple(symbols[name] for name in dict.fromkeys(names))
 
     def _check_frequencies_are_not_small(self) -> None:
@@ -255,8 +300,8 @@ class ScaledSystem:
 
     def weak(self, order: int, resonance: Mapping[sp.Expr, sp.Expr] | None = None) -> WeakSystem:
         """The equations through ε^order with the resonance relations imposed."""
-        order = _whole(order, "the order of an expansion", 1)
-        taken = frozenset(p.name for p in self.eom.parameters)
+        order = whole(order, "the order of an expansion", 1)
+        taken = frozenset(p.name for p in self.parameters)
         relations, detuned = solve_relations(resonance, self.frequencies, taken)
         sigmas = [str(r.detuning.name) for r in relations]
         grading = Grading(self.alphabet.field, self.generator_orders, detuned, sigmas, order)

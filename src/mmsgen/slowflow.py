@@ -22,7 +22,7 @@ import sympy as sp
 from .errors import ExpansionError
 from .expressions import rational
 from .linear_flow import LinearFlow, linear_flow
-from .numeric import compiled, named_values
+from .numeric import compiled
 from .series import Series
 from .symbols import imaginary_part, modulus, phase, real_part
 
@@ -242,7 +242,7 @@ class SlowFlow:
 
     def _with_detunings(self, values: Mapping[Any, Any]) -> dict[str, Any]:
         """Values with σ = lhs − rhs of its relation where that can be told."""
-        table = named_values(self.case.parameters, values)
+        table = self.case.numbers(values)
         for r in self.case.relations:
             symbols = tuple(sorted((r.lhs - r.rhs).free_symbols, key=str))
             if r.detuning.name not in table and all(str(s) in table for s in symbols):
@@ -263,7 +263,7 @@ class SlowFlow:
         numpy.ndarray
             Shape (..., 2), lower edge first, in the unit of the detuning.
         """
-        return self.stability.boundaries(values)
+        return self.stability.boundaries(self.case.numbers(values))
 
 
 def _frame(case: Expansion, rates: tuple[Series, ...]) -> tuple[Any, ...] | None:

@@ -2,9 +2,10 @@
 
 At order p equation j reads
 
-    (D0² + ω_j²) q_{j,p} + 2 D0 D_p q_{j,0} + [all that is known] = 0.
+    (D0² + ω_j²) η_{j,p} + 2 D0 D_p η_{j,0} + [all that is known] = 0,
 
-A known monomial of frequency ω_j is secular and is the solvability condition,
+η_j being q_j itself unless the leading order couples it to others (`modes`). A known
+monomial of frequency ω_j is secular and is the solvability condition,
 D_p a_j = i·coefficient/(2ω_j); any other, of frequency ν, gives the particular solution
 −coefficient/((ω_j − ν)(ω_j + ν)). Particular solutions carry no homogeneous part, so A_j is the
 whole fundamental harmonic of coordinate j, and dA_j/dt = Σ_p ε^p D_p A_j.
@@ -17,12 +18,13 @@ scales; A. H. Nayfeh and D. T. Mook, *Nonlinear Oscillations* (1979), chapters 2
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 from .errors import ExpansionError
 from .field import Coefficient
+from .modal import ModalState
 from .series import Form, HarmonicRing, Series
 from .weak import Factors, WeakSystem
 
@@ -54,6 +56,15 @@ class Solver:
     Parameters
     ----------
     weak : WeakSystem
+
+    Attributes
+    ----------
+    q, v, w : list
+        Coordinates, velocities and accelerations by order.
+    eta, eta_v, eta_w : list
+        The same of the modes: the same lists where no coordinates are coupled.
+    g : list
+        D_p a_j by order p and mode.
     """
 
     def __init__(self, weak: WeakSystem) -> None:
@@ -63,6 +74,12 @@ class Solver:
         self.q: list[list[Series]] = []
         self.v: list[list[Series]] = []
         self.w: list[list[Series]] = []
+        self.modal = None if weak.basis is None else ModalState(weak.ring, weak.basis)
+        self.eta, self.eta_v, self.eta_w = (
+            (self.q, self.v, self.w)
+            if self.modal is None
+            else (self.modal.eta, self.modal.eta_v, self.modal.eta_w)
+        )
         self.g: list[list[Series]] = []
         self.equations: list[list[OrderEquation]] = []
         self._products: dict[tuple[Factors, int], Series] = {}
@@ -120,23 +137,59 @@ class Solver:
     # -- orders --------------------------------------------------------------------------
 
     def solve_order_zero(self) -> None:
-        """q_{j,0} = a_j + ā_j + the response to hard forcing."""
+        """η_{j,0} = a_j + ā_j + the response to hard forcing."""
         ring, one = self.ring, self.ring.field.one
-        q0 = []
+        forcing = self._on_modes(self.weak.forcing, 0)
+        eta = []
         for j in range(self.n):
             response = {}
-            for key, c in self.weak.forcing[j].items():
+            for key, c in forcing[j].items():
                 if self._is_fundamental(j, key):
                     raise ExpansionError(
-                        f"hard forcing drives {self.weak.scaled.eom.coordinates[j]} at its natural "
+                        f"hard forcing drives {self.weak.scaled.coordinates[j]} at its natural "
                         "frequency: scale the forcing with an order of 1 or more"
                     )
                 response[key] = c * self._divisor(j, ring.frequency(key))
-            q0.append({ring.a(j): one, ring.abar(j): one, **response})
-        self.q.append(q0)
-        self.v.append([ring.d0(f) for f in q0])
-        self.w.append([ring.d0(f) for f in self.v[0]])
-        self.g.append([{} for _ in q0])
+            eta.append({ring.a(j): one, ring.abar(j): one, **response})
+        self.eta.append(eta)
+        self.eta_v.append([ring.d0(f) for f in eta])
+        self.eta_w.append([ring.d0(f) for f in self.eta_v[0]])
+        self.g.append([{} for _ in eta])
+        self._complete_coordinates(0)
+
+    def _on_modes(self, forces: Sequence[Series], p: int) -> list[Series]:
+        """What drives each mode at order p, and what a detuning leaves of its stiffness."""
+        if self.modal is None:
+            return list(forces)
+        direct = self.modal.project(forces)
+        return [
+            self.ring.collect(self.modal.known(r, p, direct[r], self._known_derivative))
+            for r in range(self.n)
+        ]
+
+    def _known_derivative(
+        self, stack: Sequence[Series], p: int
+    ) -> Iterable[tuple[int, Coefficient]]:
+        """The ε^p part of a time derivative, as far as D_p a is not in it."""
+        nothing: list[Series] = [{} for _ in range(self.n)]
+        images = [*self.g, nothing]
+        yield from self.ring.d0(stack[p]).items()
+        for r in range(1, p + 1):
+            yield from self._derivation(stack[p - r], r, images[r])
+
+    def _complete_coordinates(self, p: int) -> None:
+        """q, q' and q'' from the modes at order p."""
+        if self.modal is None:
+            return
+        q, v = self.modal.coordinates(p)
+        self.q.append(q)
+        self.v.append(v)
+        self.w.append(
+            [
+                self.ring.collect(self._known_derivative([x[k] for x in self.v], p))
+                for k in range(self.n)
+            ]
+        )
 
     def _is_fundamental(self, j: int, key: int) -> bool:
         form = self.ring.frequency(key)
@@ -144,12 +197,12 @@ class Solver:
         return form == omega or form == tuple(-c for c in omega)
 
     def known_kinematics(self, j: int, p: int) -> tuple[Series, Series]:
-        """q_j' and q_j'' at order p without q_{j,p} and D_p a."""
+        """η_j' and η_j'' at order p without η_{j,p} and D_p a."""
         ring = self.ring
         nothing: list[Series] = [{} for _ in range(self.n)]
         images = [*self.g, nothing]
         v = ring.collect(
-            t for r in range(1, p + 1) for t in self._derivation(self.q[p - r][j], r, images[r])
+            t for r in range(1, p + 1) for t in self._derivation(self.eta[p - r][j], r, images[r])
         )
         w = ring.collect(
             (
@@ -157,7 +210,7 @@ class Solver:
                 *(
                     t
                     for r in range(1, p + 1)
-                    for t in self._derivation(self.v[p - r][j], r, images[r])
+                    for t in self._derivation(self.eta_v[p - r][j], r, images[r])
                 ),
             )
         )
@@ -166,7 +219,12 @@ class Solver:
     def solve_order(self, p: int, *, particular: bool = True) -> None:
         """Solve all equations at order p: secular terms first, then particular solutions."""
         known = [self.known_kinematics(j, p) for j in range(self.n)]
-        equations = [self._order_equation(j, p, known[j][1]) for j in range(self.n)]
+        if self.modal is None:
+            forces = [self._force_terms(j, p) for j in range(self.n)]
+        else:
+            own = [self.ring.collect(self._force_terms(j, p)) for j in range(self.n)]
+            forces = [f.items() for f in self._on_modes(own, p)]
+        equations = [self._order_equation(j, known[j][1], forces[j]) for j in range(self.n)]
         self.equations.append(equations)
         half_i = self.ring.field.rational(Fraction(1, 2)).times_i()
         self.g.append(
@@ -182,9 +240,11 @@ class Solver:
         ring = self.ring
         return ring.field.reciprocal(ring.form_polynomial(ring.amplitude_frequencies[j]))
 
-    def _order_equation(self, j: int, p: int, w: Series) -> OrderEquation:
+    def _order_equation(
+        self, j: int, w: Series, forces: Iterable[tuple[int, Coefficient]]
+    ) -> OrderEquation:
         bins: dict[int, list[Coefficient]] = {}
-        for key, c in (*w.items(), *self._force_terms(j, p)):
+        for key, c in (*w.items(), *forces):
             bins.setdefault(key, []).append(c)
         known, cancelled = {}, []
         for key, terms in bins.items():
@@ -200,21 +260,22 @@ class Solver:
     def _complete(
         self, p: int, known: list[tuple[Series, Series]], equations: list[OrderEquation]
     ) -> None:
-        """q, q' and q'' at order p from the particular solutions and D_p a."""
+        """η, η' and η'' at order p from the particular solutions and D_p a."""
         ring = self.ring
-        q, v, w = [], [], []
+        eta, eta_v, eta_w = [], [], []
         for j, equation in enumerate(equations):
-            qp = {
+            part = {
                 key: c * self._divisor(j, ring.frequency(key))
                 for key, c in equation.known.items()
                 if not self._is_fundamental(j, key)
             }
-            fresh = ring.collect(ring.derivation(self.q[0][j], self.g[p], {}))
-            vp = ring.add(ring.d0(qp), fresh)
-            late = ring.collect(ring.derivation(self.v[0][j], self.g[p], {}))
-            q.append(qp)
-            v.append(ring.add(known[j][0], vp))
-            w.append(ring.add(known[j][1], ring.d0(vp), late))
-        self.q.append(q)
-        self.v.append(v)
-        self.w.append(w)
+            fresh = ring.collect(ring.derivation(self.eta[0][j], self.g[p], {}))
+            vp = ring.add(ring.d0(part), fresh)
+            late = ring.collect(ring.derivation(self.eta_v[0][j], self.g[p], {}))
+            eta.append(part)
+            eta_v.append(ring.add(known[j][0], vp))
+            eta_w.append(ring.add(known[j][1], ring.d0(vp), late))
+        self.eta.append(eta)
+        self.eta_v.append(eta_v)
+        self.eta_w.append(eta_w)
+        self._complete_coordinates(p)

@@ -10,9 +10,12 @@ __all__ = [
     "detuning",
     "epsilon",
     "imaginary_part",
+    "modal_coordinate",
+    "mode_frequency",
     "modulus",
     "phase",
     "real_part",
+    "shape",
     "time_scale",
 ]
 
@@ -58,3 +61,18 @@ def imaginary_part(q: sp.Expr) -> sp.Symbol:
 def detuning(index: int, total: int) -> sp.Symbol:
     """σ for a single relation, σ_1, σ_2, … for several."""
     return sp.Symbol("sigma" if total == 1 else f"sigma_{index + 1}", real=True)
+
+
+def modal_coordinate(name: str, q: sp.Expr) -> sp.Expr:
+    """A modal coordinate, a function of the same time as q."""
+    return sp.Function(name, real=True)(*q.args)
+
+
+def mode_frequency(name: str) -> sp.Symbol:
+    """A natural frequency that the program names."""
+    return sp.Symbol(name, positive=True)
+
+
+def shape(name: str) -> sp.Symbol:
+    """A component of a mode shape."""
+    return sp.Symbol(name, real=True)

@@ -28,27 +28,34 @@ class ResonanceTable(tuple["Resonance", ...]):
         The parameters of the equations, for `rank`.
     distances : mapping, optional
         Distance of each resonance in Hz, where ranked.
+    complete : callable, optional
+        Values → values of all frequencies, where those of modes are among them.
     """
 
     parameters: tuple[Parameter, ...]
     distances: Mapping[int, float]
+    complete: Callable[[Mapping[Any, Any]], Mapping[str, Any]] | None
 
     def __new__(
         cls,
         resonances: Iterable[Resonance],
         parameters: tuple[Parameter, ...] = (),
         distances: Mapping[int, float] | None = None,
+        complete: Callable[[Mapping[Any, Any]], Mapping[str, Any]] | None = None,
     ) -> ResonanceTable:
         """Make a table of resonances."""
         table = super().__new__(cls, tuple(resonances))
         table.parameters = parameters
         table.distances = dict(distances or {})
+        table.complete = complete
         return table
 
     @property
     def coupled(self) -> ResonanceTable:
         """Only the resonances whose coupling survives."""
-        return ResonanceTable((r for r in self if r.coupled), self.parameters)
+        return ResonanceTable(
+            (r for r in self if r.coupled), self.parameters, complete=self.complete
+        )
 
     def rank(self, values: Mapping[Any, Any]) -> ResonanceTable:
         """The same resonances by their distance |lhs − rhs|/2π in Hz, nearest first.
@@ -59,10 +66,12 @@ class ResonanceTable(tuple["Resonance", ...]):
             Symbol or name → number in rad/s, for every frequency; those that have a definition
             follow from it.
         """
+        if self.complete is not None:
+            values = self.complete(values)
         pairs = [(r.distance(values, self.parameters), i, r) for i, r in enumerate(self)]
         pairs.sort(key=lambda item: item[:2])
         distances = {i: d for i, (d, _, _) in enumerate(pairs)}
-        return ResonanceTable((r for _, _, r in pairs), self.parameters, distances)
+        return ResonanceTable((r for _, _, r in pairs), self.parameters, distances, self.complete)
 
     def _rows(self) -> list[tuple[sp.Eq, list[str]]]:
         rows = []

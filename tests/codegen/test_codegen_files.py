@@ -46,7 +46,7 @@ def test_files_and_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     cases = [emitted("rotor").case, emitted("coupled").case, emitted("plain").case]
     files = render(cases, model="rotor", derivation="derivations/rotor.py", source="a book")
     names = [case_name(c) for c in cases]
-    expected = {f"mms_functions/{n}.py" for n in ("__init__", "_runtime", "_edges")}
+    expected = {f"mms_functions/{n}.py" for n in ("__init__", "_eigenmodes", "_runtime", "_edges")}
     expected |= {f"mms_functions/rotor/{n}.py" for n in ("__init__", *names)}
     assert set(files) == expected | {f"mms_functions/rotor/{n}.reference.json" for n in names}
     for name in names:
@@ -325,4 +325,4 @@ def test_import_needs_numpy_alone_and_loads_cases_when_used(tmp_path: Path) -> N
 
 def test_a_model_of_several_relations_can_be_emitted(tmp_path: Path) -> None:
     case = _scaled("rotor4").expand(order=1, resonance=BOTH)
-    assert len(generate(case, directory=tmp_path)) == 6
+    assert len(generate(case, directory=tmp_path)) == 7

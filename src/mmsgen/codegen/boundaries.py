@@ -158,7 +158,7 @@ def _zone(polynomial: list[Rounded]) -> tuple[Rounded, Rounded]:
     """The interval nearest to zero in which a polynomial is positive."""
     values = [c.value for c in polynomial]
     roots = mpmath.polyroots(values[::-1], maxsteps=200, extraprec=200)
-    noise = mpmath.mpf(10) ** (8 - mpmath.mp.dps) * max(map(abs, roots))
+    noise = mpmath.mpf(10) ** (8 - mpmath.mp.dps) * max(map(abs, roots), default=mpmath.mpf(0))
     real = sorted(mpmath.re(z) for z in roots if abs(mpmath.im(z)) < noise)
     ends = [-mpmath.inf, *real, mpmath.inf]
     best = (mpmath.nan, mpmath.nan)

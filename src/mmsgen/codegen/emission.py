@@ -11,9 +11,10 @@ from ..files import write_atomically
 from .boundaries import boundary_function
 from .case_module import case_text
 from .growth import growth_function
-from .kernels import RUNTIME, EmittedFunction
+from .kernels import RUNTIME, SHARED, EmittedFunction
 from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
+from .modal import modes_function
 from .model_module import PACKAGE_TEXT, model_text
 from .modulation import modulation_function
 from .naming import check_module_name
@@ -31,21 +32,27 @@ def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
 
     A linear slow flow has all six; one that is nonlinear, or driven, has `slow_flow` alone. A case
     whose boundary is not known as the zero of a polynomial has no `boundaries` and no
-    `critical_speeds`.
+    `critical_speeds`; one whose mode shapes change with the detuned frequency has none of these
+    either. Where modes are named quantities, `modes` computes these.
     """
+    modes = modes_function(setting)
+    named = () if modes is None else (modes,)
     flow = modulation_function(setting)
     if setting.linear is None:
-        return (flow,)
+        return (flow, *named)
     edges: tuple[EmittedFunction, ...] = ()
     if not setting.no_boundary:
         boundaries = boundary_function(setting)
-        edges = (boundaries, speed_function(setting, next(iter(boundaries.kernels), None)))
+        edges = (boundaries,)
+        if not setting.moving_modes:
+            edges = (*edges, speed_function(setting, next(iter(boundaries.kernels), None)))
     return (
         growth_function(setting),
         *edges,
         matrix_function(setting),
         characteristic_function(setting),
         flow,
+        *named,
     )
 
 
@@ -87,10 +94,7 @@ def render(
     origin = _origin(derivation)
     files = {
         f"{package}/__init__.py": PACKAGE_TEXT,
-        **{
-            f"{package}/{name}.py": Path(__file__).with_name(f"{name}.py").read_text("utf-8")
-            for name in sorted(set(RUNTIME.values()))
-        },
+        **{f"{package}/{name}.py": _shared_text(name) for name in sorted(set(RUNTIME.values()))},
     }
     solved = [(setting, emitted_functions(setting)) for setting in settings]
     files[f"{package}/{model}/__init__.py"] = model_text(
@@ -101,6 +105,11 @@ def render(
         files[f"{path}.py"] = case_text(setting, functions, model, origin, source)
         files[f"{path}.reference.json"] = reference_text(setting, functions)
     return files
+
+
+def _shared_text(name: str) -> str:
+    """The text of a module that emitted modules share."""
+    return (Path(__file__).parent / SHARED.get(name, f"{name}.py")).read_text("utf-8")
 
 
 def _settings(cases: Cases) -> list[Setting]:

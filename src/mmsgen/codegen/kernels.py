@@ -9,11 +9,12 @@ from typing import Any
 from ..ir import IR
 from ..parameters import Parameter
 
-__all__ = ["AMPLITUDES", "RUNTIME", "EmittedFunction", "Kernel", "Reference", "Statement"]
+__all__ = ["AMPLITUDES", "RUNTIME", "SHARED", "EmittedFunction", "Kernel", "Reference", "Statement"]
 
 #: what emitted modules may use of the code that they share: name -> module
 RUNTIME = {
     **dict.fromkeys(("explicit_edges", "implicit_edges", "zone"), "_edges"),
+    "modal_values": "_eigenmodes",
     **dict.fromkeys(
         (
             "checked",
@@ -33,6 +34,10 @@ RUNTIME = {
         "_runtime",
     ),
 }
+
+
+#: modules of the emitted package that the engine uses as well, and where they stand
+SHARED = {"_eigenmodes": "../eigenmodes.py"}
 
 
 #: where a point holds the amplitudes: no parameter can have this name

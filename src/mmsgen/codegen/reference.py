@@ -11,6 +11,7 @@ import mpmath
 from .._version import __version__
 from .case_module import digest_of
 from .kernels import EmittedFunction, Reference
+from .modal import mode_points
 from .points import points_of, speed_points_of
 from .setting import Setting
 
@@ -38,6 +39,8 @@ def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> st
             own = points
             if function.name == "critical_speeds":
                 own = speed_points_of(setting, function)
+            elif function.name == "modes":
+                own = mode_points(function, len(points))
             table[function.name] = [_entry(function.reference(point)) for point in own]
     content = {
         "case": setting.name,

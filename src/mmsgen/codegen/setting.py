@@ -170,6 +170,14 @@ class Setting:
             return str(error)
         return ""
 
+    @property
+    def moving_modes(self) -> bool:
+        """Whether mode shapes depend on the frequency that is detuned."""
+        if not self.case.relations:
+            return False
+        needed = set().union(*(e.free_symbols for e in self.case.weak.scaled.modes.entries))
+        return bool(self.case.relations[0].lhs.free_symbols & needed)
+
     @cached_property
     def edges(self) -> tuple[sp.Expr, ...] | None:
         """Both edges in closed form; empty where there are none, None where there is no form."""
