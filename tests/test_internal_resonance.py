@@ -13,15 +13,16 @@ ROUNDING = 1e-14
 """A dozen operations on numbers of order one."""
 
 QUADRATIC, INTERNAL = "internal_resonance_1_2", "omega_2_is_two_omega_1"
+CUBIC = "internal_resonance_1_3"
 
 
 @pytest.mark.pinned
-@pytest.mark.parametrize("name", ["internal_resonance_1_2"])
+@pytest.mark.parametrize("name", [QUADRATIC, CUBIC])
 def test_the_notebooks_of_internal_resonance(name: str) -> None:
     demand_notebook(name)
 
 
-@pytest.mark.parametrize(("name", "cases"), [("internal_resonance_1_2", 6)])
+@pytest.mark.parametrize(("name", "cases"), [(QUADRATIC, 6), (CUBIC, 5)])
 def test_certificates_of_internal_resonance(name: str, cases: int) -> None:
     found = certificates(name)
     assert len(found) == cases
@@ -65,3 +66,26 @@ def test_energy_of_the_free_exchange() -> None:
     damped = case.slow_flow(b, mu_1=0.05, mu_2=0.05, **values)
     loss = -0.05 * np.sum(weights * np.abs(b) ** 2)
     assert np.sum(weights * (b.conj() * damped).real) == pytest.approx(loss, rel=ROUNDING)
+
+
+def test_printed_modulation_of_three_to_one() -> None:
+    """N&M, chapter 6: rates of amplitudes and phases of the driven system, at numbers."""
+    w1, m1, m2, s1, s2, f1 = 0.9, 0.03, 0.02, 0.05, -0.02, 0.4
+    c = dict(enumerate((0.3, -0.5, 0.7, 1.1, -0.2, 0.6, 0.4, -0.9), start=1))
+    a1, a2, g1, g2 = 0.7, 0.4, 0.3, 1.9
+    gamma, slow, fast = g2 - 3 * g1, 8 * w1, 24 * w1
+    radial_1 = c[2] * a1**2 * a2 * math.sin(gamma) / slow - m1 * a1 - f1 * math.sin(g1) / (2 * w1)
+    turning_1 = -(3 * c[1] * a1**3 + 2 * c[3] * a1 * a2**2) / slow
+    turning_1 -= c[2] * a1**2 * a2 * math.cos(gamma) / slow + f1 * math.cos(g1) / (2 * w1) + s2 * a1
+    radial_2 = -c[5] * a1**3 * math.sin(gamma) / fast - m2 * a2
+    turning_2 = -(3 * c[8] * a2**3 + 2 * c[6] * a1**2 * a2 + c[5] * a1**3 * math.cos(gamma)) / fast
+    turning_2 += (s1 - 3 * s2) * a2
+    wanted = [
+        exp(1j * g1) * complex(radial_1, turning_1) / 2,
+        exp(1j * g2) * complex(radial_2, turning_2) / 2,
+    ]
+    case = emitted(CUBIC, "omega_2_is_three_omega_1_and_Omega_is_omega_1_order_1")
+    values = {f"alpha_{k}": x for k, x in c.items() if k not in (4, 7)}
+    values |= {"omega_1": w1, "mu_1": m1, "mu_2": m2, "F_1": f1, "sigma_1": s1, "sigma_2": s2}
+    b = [a1 / 2 * exp(1j * g1), a2 / 2 * exp(1j * g2)]
+    np.testing.assert_allclose(case.slow_flow(b, **values), wanted, rtol=ROUNDING)
