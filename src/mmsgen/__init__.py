@@ -3,17 +3,17 @@
     model -> equations of motion -> scaled system -> expansion -> slow flow -> boundary -> code
 
 Each stage is a record with a method that makes the next one; `floquet` is the independent
-reference.
+reference. The reference, emitted code and certificates are loaded when they are first asked for.
 """
 
 from __future__ import annotations
 
-from . import floquet
+import sys
+from importlib import import_module
+from types import ModuleType
+from typing import TYPE_CHECKING, Any
+
 from ._version import __version__
-from .certificate import Certificate
-from .certify import certify
-from .codegen import generate
-from .emission import Emission, publish
 from .equations import EquationsOfMotion
 from .equilibrium import Equilibrium
 from .errors import (
@@ -36,6 +36,13 @@ from .scaling import ScaledSystem
 from .slowflow import SlowFlow
 from .symbols import epsilon
 from .tables import ResonanceTable
+
+if TYPE_CHECKING:
+    from . import floquet
+    from .certificate import Certificate
+    from .certify import certify
+    from .codegen import generate
+    from .emission import Emission, publish
 
 __all__ = [
     "Certificate",
@@ -66,3 +73,39 @@ __all__ = [
     "generate",
     "publish",
 ]
+
+_LATER = {
+    "Certificate": "certificate",
+    "Emission": "emission",
+    "certify": "certify",
+    "generate": "codegen",
+    "publish": "emission",
+}
+"""Name → the module that holds it."""
+
+
+def __getattr__(name: str) -> Any:
+    """Load what is needed only now."""
+    if name == "floquet":
+        return import_module(".floquet", __name__)
+    if name not in _LATER:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f".{_LATER[name]}", __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})
+
+
+class _Package(ModuleType):
+    """Python binds a loaded module to its name in the package: here `certify` is the function."""
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if name == "certify" and isinstance(value, ModuleType):
+            value = value.certify
+        super().__setattr__(name, value)
+
+
+sys.modules[__name__].__class__ = _Package
