@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import mpmath as mp
+import numpy as np
 import pytest
+import steady
+import sympy as sp
 from entries import certificates, demand_notebook, emitted
+from systems import Omega, d, f, mu, oscillator, t, x
 
 
 @pytest.mark.pinned
-def test_the_notebook_of_the_free_oscillator() -> None:
-    demand_notebook("duffing")
+@pytest.mark.parametrize("name", ["duffing", "helmholtz_duffing", "duffing_forced"])
+def test_notebooks(name: str) -> None:
+    demand_notebook(name)
 
 
 def test_certificates_of_the_free_oscillator() -> None:
@@ -43,3 +48,72 @@ def test_frequency_against_the_elliptic_integral(order: int) -> None:
     error = 1 + rate.imag / omega_0 - exact
     following = {1: -15 / 256, 2: 123 / 8192, 3: -921 / 262144, 4: 579 / 2097152}[order]
     assert -error / (following * float(y) ** (order + 1)) == pytest.approx(1, abs=0.05)
+
+
+def test_certificates_of_the_other_oscillators() -> None:
+    found = certificates("helmholtz_duffing")
+    assert sorted(found) == ["nonresonant_order_2", "nonresonant_order_4"]
+    found |= (forced := certificates("duffing_forced"))
+    assert len(forced) == 6
+    for data in found.values():
+        (fit,) = data["fits"]
+        assert fit["theory"] == data["order"]
+        assert abs(float(fit["fitted"]) - fit["theory"]) < 0.1
+
+
+def test_quadratic_and_cubic_stiffness_in_print() -> None:
+    """Nayfeh and Mook, chapter 2: Δω = (9α_3 ω_0² − 10α_2²)a²/(24ω_0³)."""
+    values = {"omega_0": 1.7, "alpha_2": 0.9, "alpha_3": -0.4}
+    case = emitted("helmholtz_duffing", "nonresonant_order_2")
+    a = 0.37
+    shift = case.slow_flow([a / 2], **values)[0] / (a / 2)
+    printed = (9 * -0.4 * 1.7**2 - 10 * 0.9**2) * a**2 / (24 * 1.7**3)
+    assert shift.real == 0
+    assert shift.imag == pytest.approx(printed, rel=1e-14)  # rounding of a dozen operations
+
+
+# --- forced ---------------------------------------------------------------------------------------
+
+# Amplitudes of the subharmonic of order 1/3 at ω_0 = α = 1, μ = 0.05, K = 8, σ = 6, computed from
+# the printed relation of Nayfeh and Mook, chapter 4, outside this program.
+NUMBERS = {"omega_0": 1.0, "alpha": 1.0, "mu": 0.05, "K": 8.0, "sigma": 6.0}
+
+
+@pytest.mark.parametrize("a", [2.39198687, 1.39465604])
+def test_the_subharmonic_rests_at_the_printed_amplitudes(a: float) -> None:
+    case = emitted("duffing_forced", "Omega_is_three_omega_0_order_1")
+    # the phase from dγ/dt and da/dt = 0, with Λ = −K/16: |dB/dt| must vanish for one of them
+    phases = np.linspace(0, 2 * np.pi / 3, 200001)
+    rates = np.abs(case.slow_flow((a / 2 * np.exp(1j * phases))[:, None], **NUMBERS)[:, 0])
+    # the grid of phases leaves 1e-5 of slopes of order one
+    assert rates.min() < 3e-5
+    others = np.abs(case.slow_flow((1.01 * a / 2 * np.exp(1j * phases))[:, None], **NUMBERS))
+    assert others.min() > 1e-3
+
+
+def test_the_printed_peaks_of_the_driven_oscillator() -> None:
+    """At the peak the force only balances damping: a = K/2μω_0, or αΛ³/μω_0."""
+    values = {"omega_0": 1.3, "alpha": 0.7, "mu": 0.11, "K": 0.6}
+    a = 0.6 / (2 * 0.11 * 1.3)
+    backbone = 3 * 0.7 * a**2 / (8 * 1.3)
+    primary = emitted("duffing_forced", "Omega_is_omega_0_order_1")
+    # sin γ = −1
+    rate = primary.slow_flow([-1j * a / 2], sigma=backbone, **values)
+    assert abs(rate[0]) < 1e-14
+    drift = 9 * 0.6 / (16 * 1.3**2)  # Λ at Ω = ω_0/3
+    a = 0.7 * drift**3 / (0.11 * 1.3)
+    backbone = 3 * 0.7 * (drift**2 + a**2 / 8) / 1.3
+    superharmonic = emitted("duffing_forced", "three_Omega_is_omega_0_order_1")
+    rate = superharmonic.slow_flow([1j * a / 2], sigma=backbone, **values)
+    assert abs(rate[0]) < 1e-14  # rounding
+
+
+def test_collocation_finds_the_exact_motion_of_a_linear_oscillator() -> None:
+    """u'' + 2μu' + ω_0²u = K cos Ωt, whose amplitude is K/√((ω_0² − Ω²)² + 4μ²Ω²)."""
+    eom = oscillator(2 * mu * d(x) - f * sp.cos(Omega * t))
+    values = {"omega": 1.3, "mu": 0.11, "f": 0.6, "Omega": 1.1}
+    motion = steady.periodic_motion(eom, values, 2 * np.pi / 1.1, np.cos)
+    size = 0.6 / np.hypot(1.3**2 - 1.1**2, 2 * 0.11 * 1.1)
+    # rounding, times the condition of second derivatives over 65 points
+    assert steady.harmonic(motion, 1) == pytest.approx(size, rel=1e-11)
+    assert steady.harmonic(motion, 2) < 1e-11

@@ -1,0 +1,305 @@
+# %% [markdown]
+# # Duffing's oscillator, damped and driven
+#
+# The same oscillator responds in three ways. Driven softly near its own frequency, it bends its
+# resonance curve over. Driven hard at a third of its frequency, it answers with three swings a
+# period; driven hard at three times its frequency, it may swing once in three periods, or not at
+# all. The relations between amplitude and detuning are those of Nayfeh and Mook, *Nonlinear
+# Oscillations* (1979), chapter 4, for
+#
+# $$\ddot u + 2\mu\dot u + \omega_0^2 u + \alpha u^3 = K\cos\Omega t .$$
+
+# %%
+import matplotlib.pyplot as plt
+import numpy as np
+import steady
+import sympy as sp
+from IPython.display import Markdown, display
+from sympy.physics.mechanics import dynamicsymbols
+
+import mmsgen as mg
+from mmsgen import plotting, report
+from mmsgen.certify import scaled_values
+from mmsgen.symbols import modulus
+
+# %% [markdown]
+# ## 1. The model
+
+# %%
+t = dynamicsymbols._t
+u = dynamicsymbols("u")
+omega_0, alpha, mu, K, Omega = sp.symbols("omega_0 alpha mu K Omega", positive=True)
+model = mg.Model(
+    lagrangian=u.diff(t) ** 2 / 2 - omega_0**2 * u**2 / 2 - alpha * u**4 / 4,
+    coordinates=[u],
+    dissipation=mu * u.diff(t) ** 2,
+    forces={u: K * sp.cos(Omega * t)},
+    parameters=[
+        mg.Parameter(omega_0, "rad/s", "frequency of small oscillations"),
+        mg.Parameter(Omega, "rad/s", "frequency of the force"),
+        mg.Parameter(alpha, "1/(m^2 s^2)", "cubic stiffness over the mass"),
+        mg.Parameter(mu, "1/s", "half the damping over the mass"),
+        mg.Parameter(K, "m/s^2", "amplitude of the force over the mass"),
+    ],
+)
+report.parameter_table(model.parameters)
+
+# %%
+eom = model.equations_of_motion()
+report.equations(eom)
+
+# %% [markdown]
+# ## 2. Orders in ε
+#
+# Damping and nonlinearity are small. A *soft* force is small as well, and then excites resonance;
+# a *hard* force is not, and adds a motion of its own frequency to order 0:
+
+# %%
+soft = eom.scale({alpha: 1, mu: 1, K: 1})
+hard = eom.scale({alpha: 1, mu: 1})
+display(report.orders(soft, 0), report.orders(soft, 1))
+display(report.orders(hard, 0), report.orders(hard, 1))
+
+# %% [markdown]
+# ## 3. Resonances
+#
+# A soft force, to order 1; a hard force, to orders 1 and 2. (The primary resonance of a hard force
+# is of order 0: the response is then no longer small against anything, and there is no expansion.)
+
+# %%
+soft.resonances(order=1)
+
+# %%
+hard.resonances(order=1)
+
+# %%
+hard.resonances(order=2)
+
+# %% [markdown]
+# ## 4. Primary resonance
+#
+# $\Omega = \omega_0 + \varepsilon\sigma$, soft force.
+
+# %%
+primary = {order: soft.expand(order, {Omega: omega_0}) for order in (1, 2)}
+display(report.solvability(primary[2], 1), report.solvability(primary[2], 2))
+
+# %% [markdown]
+# Polar form, order 1, with $A = \tfrac12 a e^{i(\gamma + \sigma t)}$; the book's $\gamma$ has the
+# other sign:
+
+# %%
+report.modulation(primary[1])
+
+# %% [markdown]
+# In a steady state both rates vanish. They are linear in $\sin\gamma$ and $\cos\gamma$; the sum
+# of the squares of these is one, and that is the printed frequency response
+#
+# $$\left[\mu^2 + \left(\sigma - \frac{3\alpha a^2}{8\omega_0}\right)^2\right] a^2
+#   = \frac{K^2}{4\omega_0^2} .$$
+
+# %%
+a = modulus(u)
+sigma = primary[1].relations[0].detuning
+printed = (mu**2 + (sigma - 3 * alpha * a**2 / (8 * omega_0)) ** 2) * a**2 * 4 * omega_0**2 / K**2
+assert sp.cancel(steady.response(primary[1]) - printed) == 0
+
+# %% [markdown]
+# Its steady states are stable where the determinant of the Jacobian is positive (the trace is
+# $-2\mu$). Printed: unstable where
+#
+# $$\left(\sigma - \frac{3\alpha a^2}{8\omega_0}\right)
+#   \left(\sigma - \frac{9\alpha a^2}{8\omega_0}\right) + \mu^2 < 0 .$$
+
+# %%
+bend = alpha * a**2 / (8 * omega_0)
+printed = (sigma - 3 * bend) * (sigma - 9 * bend) + mu**2
+assert sp.cancel(steady.determinant(primary[1]) - printed) == 0
+
+# %% [markdown]
+# ## 5. Superharmonic resonance of order 3
+#
+# $3\Omega = \omega_0 + \varepsilon\sigma$, hard force. The force alone moves the mass by
+# $2\Lambda\cos\Omega t$ with $\Lambda = K/2(\omega_0^2 - \Omega^2)$, and the cube of that has the
+# frequency $3\Omega$:
+
+# %%
+superharmonic = {order: hard.expand(order, {3 * Omega: omega_0}) for order in (1, 2)}
+display(report.solvability(superharmonic[1], 1), report.modulation(superharmonic[1]))
+
+# %% [markdown]
+# $\Omega$ is replaced strictly, so that $\Lambda = 9K/16\omega_0^2$ here, and its change with
+# $\sigma$ is part of order 2. The printed relation is
+#
+# $$\left[\mu^2 + \left(\sigma - \frac{3\alpha\Lambda^2}{\omega_0}
+#   - \frac{3\alpha a^2}{8\omega_0}\right)^2\right] a^2 = \frac{\alpha^2\Lambda^6}{\omega_0^2} .$$
+
+# %%
+Lambda = K / (2 * (omega_0**2 - Omega**2))
+third = Lambda.subs(Omega, omega_0 / 3)
+shift = sigma - 3 * alpha * third**2 / omega_0 - 3 * bend
+printed = (mu**2 + shift**2) * a**2 * omega_0**2 / (alpha**2 * third**6)
+assert sp.cancel(steady.response(superharmonic[1]) - printed) == 0
+
+# %% [markdown]
+# ## 6. Subharmonic resonance of order 1/3
+#
+# $\Omega = 3\omega_0 + \varepsilon\sigma$, hard force.
+
+# %%
+subharmonic = {order: hard.expand(order, {Omega: 3 * omega_0}) for order in (1, 2)}
+display(report.solvability(subharmonic[1], 1), report.modulation(subharmonic[1]))
+
+# %% [markdown]
+# Here $\Lambda = -K/16\omega_0^2$. Besides $a = 0$, printed:
+#
+# $$9\mu^2 + \left(\sigma - \frac{9\alpha\Lambda^2}{\omega_0}
+#   - \frac{9\alpha a^2}{8\omega_0}\right)^2 = \frac{81\alpha^2\Lambda^2}{16\omega_0^2}\,a^2 .$$
+
+# %%
+triple = Lambda.subs(Omega, 3 * omega_0)
+left = 9 * mu**2 + (sigma - 9 * alpha * triple**2 / omega_0 - 9 * bend) ** 2
+right = 81 * alpha**2 * triple**2 * a**2 / (16 * omega_0**2)
+assert sp.cancel(steady.response(subharmonic[1], 3) - left / right) == 0
+
+# %% [markdown]
+# It is quadratic in $a^2$, so the subharmonic exists where the discriminant is not negative and
+# the sum of the roots is positive. Printed:
+#
+# $$\frac{\alpha\Lambda^2}{\omega_0}\left(\sigma - \frac{63\alpha\Lambda^2}{8\omega_0}\right)
+#   \ge 2\mu^2, \qquad \Lambda^2 < \frac{4\omega_0\sigma}{27\alpha} .$$
+
+# %%
+square = sp.Symbol("x", real=True)
+quadratic = sp.Poly((left - right).subs(a, sp.sqrt(square)), square)
+leading, middle, _ = quadratic.all_coeffs()
+reach = alpha * triple**2 / omega_0
+condition = reach * (sigma - 63 * reach / 8) - 2 * mu**2
+assert sp.cancel(quadratic.discriminant() / condition - 729 * alpha**2 / (32 * omega_0**2)) == 0
+total = sp.cancel(-middle / leading)
+assert sp.cancel(total / (4 * omega_0 * sigma / (27 * alpha) - triple**2)) == 12
+
+# %% [markdown]
+# With $\omega_0 = \alpha = 1$, $\mu = 0.05$, $K = 8$, $\sigma = 6$ the two amplitudes are
+
+# %%
+numbers = {omega_0: 1, alpha: 1, mu: sp.Rational(1, 20), K: 8, sigma: 6}
+roots = [sp.sqrt(r).evalf(9) for r in sp.Poly(quadratic.as_expr().subs(numbers), square).nroots(20)]
+assert sorted(map(str, roots)) == ["1.39465604", "2.39198687"]
+roots
+
+# %% [markdown]
+# ## 7. Steady states of the exact equation
+#
+# Periodic motions of the unexpanded equation are found by collocation and Newton's method
+# (`derivations/steady.py`), and the amplitude of their fundamental is set beside that of the
+# slow flow, while ε is halved. The differences of order $N$ must fall like $\varepsilon^N$: by
+# halves for order 1, by quarters for order 2.
+
+# %%
+NUMBERS = {"omega_0": 1.0, "alpha": 0.8, "mu": 0.3}
+FAMILIES = {
+    # flows, n in nγ, periods of the force in one of the motion, harmonic, numbers, first guess
+    "primary": (primary, 1, 1, 1, {**NUMBERS, "K": 1.6, "sigma": 0.2}, 0.5 - 0.2j),
+    "superharmonic 3": (superharmonic, 1, 1, 3, {**NUMBERS, "K": 1.1, "sigma": 1.2}, 0.5 - 0.2j),
+    "subharmonic 1/3": (
+        subharmonic,
+        3,
+        3,
+        1,
+        {"omega_0": 1.0, "alpha": 1.0, "mu": 0.05, "K": 8.0, "sigma": 6.0},
+        1.2 * np.exp(1j * np.pi / 3),
+    ),
+}
+
+
+rows = []
+for name, (flows, _, periods, number, values, guess) in FAMILIES.items():
+    for halvings in range(5, 9):
+        differences = []
+        for case in flows.values():
+            slow, _ = scaled_values(case, values, 0.5**halvings)
+            start = steady.equilibrium(case, slow, guess)
+            exact = steady.exact_amplitude(case, slow, start, periods, number)
+            differences.append(f"{abs(2 * abs(start) - exact):.1e}")
+        rows.append((name, f"1/{2**halvings}", f"{exact:.5f}", *differences))
+report.Table(("resonance", "ε", "exact $a$ (m)", "order 1", "order 2"), tuple(rows))
+
+# %% [markdown]
+# The response curves at ε = 1 and small numbers, stable steady states solid, unstable ones dashed.
+# Points: the exact equation. Order 2 bends where order 1 does not yet.
+
+# %%
+SMALL = {"omega_0": 1.0, "alpha": 0.05}
+SHOWN = {
+    "primary": {**SMALL, "mu": 0.02, "K": 0.1},
+    "superharmonic 3": {**SMALL, "mu": 0.01, "K": 1.2},
+    "subharmonic 1/3": {**SMALL, "mu": 0.01, "K": 8.0},
+}
+WINDOW = np.linspace(-0.1, 0.4, 401), np.linspace(0.02, 3.2, 401)
+
+
+def response_curves(axes, name):
+    """Where sin² + cos² is one, for both orders, and exact motions begun from order 2."""
+    flows, multiple, periods, number, *_ = FAMILIES[name]
+    for order, case in flows.items():
+        level, slope = steady.level(case, SHOWN[name], *np.meshgrid(*WINDOW), multiple)
+        for mask, dash in ((slope < 0, "-"), (slope > 0, "--")):
+            style = {"colors": [plotting.COLOURS[order - 1]], "linestyles": dash}
+            curve = np.ma.array(level, mask=mask)
+            lines = axes.contour(*WINDOW, curve, [1], linewidths=1.4, **style)
+            points = np.concatenate(lines.allsegs[0])[::90]
+            for detuning, size in points if order == 2 else ():
+                values = {**SHOWN[name], "sigma": detuning}
+                start = steady.on_curve(case, values, size, multiple)
+                exact = steady.exact_amplitude(case, values, start, periods, number)
+                axes.plot(detuning, exact, "ko", ms=3.2, mfc="none", mew=0.7)
+        axes.plot([], [], c=plotting.COLOURS[order - 1], label=f"order {order}")
+    axes.set(title=name, xlabel="σ (rad/s)", ylabel="a (m)")
+
+
+figure, panels = plt.subplots(1, 3, figsize=(9.6, 3.4), layout="constrained")
+for axes, name in zip(panels, FAMILIES, strict=True):
+    response_curves(axes, name)
+panels[0].legend(frameon=False, fontsize="small")
+plt.show()
+
+# %% [markdown]
+# ## 8. Certificates
+#
+# Motions far from the steady states as well, over times of order $1/\varepsilon$, must part from
+# exact ones like $\varepsilon^N$.
+
+
+# %%
+def samples(case):
+    """Generic numbers at ε = 1, a strong force where it is hard and far from resonance."""
+    force = 8.3 if case in subharmonic.values() else 1.7
+    return {"omega_0": 1.3, "alpha": 0.7, "mu": 0.11, "K": force, "sigma": 0.37}
+
+
+emission = mg.Emission(
+    model="duffing_forced",
+    cases=[*primary.values(), *superharmonic.values(), *subharmonic.values()],
+    samples=samples,
+    amplitudes=lambda case: ([0.5 + 0.4j], 1.0 if case in primary.values() else 0.6),
+    derivation="derivations/duffing_forced.py",
+    source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4",
+)
+report.certificate_table(emission.certificates.values())
+
+# %%
+plotting.convergence(list(emission.certificates.values()), quantity="motions at times of order 1/ε")
+plt.show()
+
+# %% [markdown]
+# ## 9. The emitted functions
+#
+# ```python
+# from mms_functions.duffing_forced import Omega_is_omega_0_order_2 as case
+#
+# rate = case.slow_flow([0.4 - 0.1j], omega_0=1.0, alpha=0.05, mu=0.02, K=0.1, sigma=0.1)
+# ```
+
+# %%
+Markdown("    " + mg.publish(emission).replace("\n", "\n    "))

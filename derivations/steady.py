@@ -1,0 +1,176 @@
+"""Steady states, for the notebooks: of a slow flow, and of the exact equations beside it.
+
+The periodic motion of the unexpanded equation is found by collocation: its values at equidistant
+times are the unknowns, derivatives are those of the trigonometric polynomial through them, and
+Newton's method solves the equation at every one of these times. For smooth motions the error falls
+faster than any power of the number of points. Nothing of the expansion enters but the first guess.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+from scipy.optimize import root
+
+from mmsgen import EquationsOfMotion, Expansion
+from mmsgen.certify import scaled_values
+from mmsgen.motion import reconstruction
+from mmsgen.symbols import modulus, phase
+
+STEPS = 12
+"""Newton steps at most; five are usual, and wandering finds some other motion."""
+
+
+def forms(case: Expansion, multiple: int) -> tuple[tuple[sp.Expr, ...], ...]:
+    """(p, r, k) for each polar rate, written p sin nγ + r cos nγ + k."""
+    (q,) = case.coordinates
+    waves = sp.symbols("s c", real=True)
+    angle = multiple * phase(q)
+    found = []
+    for rate in case.slow_flow.polar.values():
+        plain = sp.expand(rate).subs({sp.sin(angle): waves[0], sp.cos(angle): waves[1]})
+        found.append((*(plain.coeff(w) for w in waves), plain.subs(dict.fromkeys(waves, 0))))
+    return tuple(found)
+
+
+def eliminated(case: Expansion, multiple: int) -> tuple[sp.Expr, sp.Expr]:
+    """Sin nγ and cos nγ of a steady state, from da/dt = dγ/dt = 0."""
+    (s1, c1, k1), (s2, c2, k2) = forms(case, multiple)
+    area = s1 * c2 - s2 * c1
+    return (c1 * k2 - c2 * k1) / area, (s2 * k1 - s1 * k2) / area
+
+
+def response(case: Expansion, multiple: int = 1) -> sp.Expr:
+    """What is one in every steady state: sin² nγ + cos² nγ, in amplitude and detuning.
+
+    Parameters
+    ----------
+    case : Expansion
+        One coordinate, its polar slow flow linear in sin nγ and cos nγ.
+    multiple : int
+        n.
+    """
+    return sp.cancel(sum(part**2 for part in eliminated(case, multiple)))
+
+
+def determinant(case: Expansion, multiple: int = 1) -> sp.Expr:
+    """The determinant of the polar slow flow's Jacobian at a steady state, in the same."""
+    (q,) = case.coordinates
+    s, c = eliminated(case, multiple)
+    rows = [
+        [
+            p.diff(modulus(q)) * s + r.diff(modulus(q)) * c + k.diff(modulus(q)),
+            multiple * (p * c - r * s),
+        ]
+        for p, r, k in forms(case, multiple)
+    ]
+    return sp.cancel(sp.Matrix(rows).det())
+
+
+def level(
+    case: Expansion, values: Mapping[str, float], detunings: Any, sizes: Any, multiple: int = 1
+) -> tuple[Any, Any]:
+    """`response` and `determinant` at numbers, over arrays of the detuning and the amplitude."""
+    (q,), (relation,) = case.coordinates, case.relations
+    table = {p.symbol: values[p.name] for p in case.parameters if p.name in values}
+    rows = [[e.subs(table) for e in form] for form in forms(case, multiple)]
+    slopes = [[e.diff(modulus(q)) for e in row] for row in rows]
+    function = sp.lambdify([relation.detuning, modulus(q)], [rows, slopes], "numpy")
+    ((s1, c1, k1), (s2, c2, k2)), by_size = function(detunings, sizes)
+    area = s1 * c2 - s2 * c1
+    s, c = (c1 * k2 - c2 * k1) / area, (s2 * k1 - s1 * k2) / area
+    (x1, x2) = (p * s + r * c + k for p, r, k in by_size)
+    return s**2 + c**2, multiple * (x1 * (s2 * c - c2 * s) - x2 * (s1 * c - c1 * s))
+
+
+def on_curve(case: Expansion, values: Mapping[str, float], a: float, multiple: int = 1) -> complex:
+    """B of the steady state of amplitude a, at numbers that lie on its response curve."""
+    (q,) = case.coordinates
+    table = {p.symbol: values[p.name] for p in case.parameters if p.name in values}
+    pair = eliminated(case, multiple)
+    sine, cosine = (float(e.subs({modulus(q): a, **table})) for e in pair)
+    return complex(a / 2 * np.exp(1j * np.arctan2(sine, cosine) / multiple))
+
+
+def equilibrium(case: Expansion, values: Mapping[str, float], guess: complex) -> complex:
+    """B of a steady state of the slow flow near a guess, at numbers."""
+    flow = case.slow_flow.cartesian
+    table = {p.symbol: values[p.name] for p in case.parameters if p.name in values}
+    rates = sp.lambdify([list(flow)], [e.subs(table) for e in flow.values()], "numpy")
+    found = root(rates, [2 * guess.real, 2 * guess.imag], tol=1e-13)
+    assert np.abs(found.fun).max() < 1e-10, found.message
+    return complex(*found.x) / 2
+
+
+def collocation(n: int, period: float) -> NDArray[np.float64]:
+    """The matrix of d/dt for n values, n odd, of a periodic function."""
+    difference = np.subtract.outer(np.arange(n), np.arange(n))
+    with np.errstate(divide="ignore"):
+        matrix = np.where(difference % 2, -1, 1) / np.sin(np.pi * difference / n)
+    np.fill_diagonal(matrix, 0)
+    return np.pi / period * matrix
+
+
+def periodic_motion(
+    eom: EquationsOfMotion,
+    values: Mapping[str, float],
+    period: float,
+    guess: Callable[[NDArray[np.float64]], NDArray[np.float64]],
+    points: int = 65,
+) -> NDArray[np.float64]:
+    """Values over one period of a motion of one coordinate; nan if none is near the guess."""
+    (q,), (equation,), t = eom.coordinates, eom.equations, eom.time
+    state = sp.symbols("u v w")
+    motions = (q.diff(t, 2), q.diff(t), q)
+    plain = equation.subs(dict(zip(motions, reversed(state), strict=True)))
+    plain = plain.subs({p.symbol: values[p.name] for p in eom.parameters if p.name in values})
+    parts = [plain, *(plain.diff(s) for s in state)]
+    function = sp.lambdify([t, *state], parts, "numpy")
+    times = period * np.arange(points) / points
+    first = collocation(points, period)
+    second = first @ first
+    u = guess(times)
+    for _ in range(STEPS):
+        left, *slopes = function(times, u, first @ u, second @ u)
+        by_u, by_v, by_w = (np.broadcast_to(s, u.shape)[:, None] for s in slopes)
+        step = np.linalg.solve(by_u * np.eye(points) + by_v * first + by_w * second, -left)
+        u = u + step
+        if np.abs(step).max() < 1e-11 * np.abs(u).max():
+            return u
+    return np.full(points, np.nan)
+
+
+def harmonic(motion: NDArray[np.float64], n: int) -> float:
+    """The amplitude of the n-th harmonic of a motion over one period."""
+    return float(2 * np.abs(np.fft.rfft(motion)[n]) / len(motion))
+
+
+def exact_amplitude(
+    case: Expansion, values: Mapping[str, float], start: complex, periods: int = 1, number: int = 1
+) -> float:
+    """The amplitude of a harmonic of the exact motion near a steady state, at ε = 1.
+
+    Parameters
+    ----------
+    case : Expansion
+    values : mapping
+        Name → number, of the slow flow's parameters and detunings.
+    start : complex
+        B of the steady state; the motion that the expansion makes of it is the first guess.
+    periods : int
+        Of the excitation of frequency Ω, in one period of the motion.
+    number : int
+        The harmonic of that motion that is the fundamental of the coordinate.
+    """
+    _, exact = scaled_values(case, values, 1.0)
+    shape = reconstruction(case, values)
+
+    def guess(times: NDArray[np.float64]) -> NDArray[np.float64]:
+        return shape(times, np.full((1, len(times)), start))[0]
+
+    period = 2 * np.pi * periods / exact["Omega"]
+    return harmonic(periodic_motion(case.weak.scaled.eom, exact, period, guess), number)
