@@ -170,3 +170,24 @@ def test_formulas_of_orders() -> None:
     both = pair(alpha * y, alpha * x).scale({alpha: 1})
     assert str(report.orders(both, 0)).count("= 0") == 2
     assert "x_{" not in str(report.orders(both, 0, only=[y]))
+
+
+def test_coupled_coordinates_keep_their_matrices() -> None:
+    """m x'' + Gy' + (k + κ)x − κy + f cos(Ωt) x = 0 and its neighbour, order by order."""
+    m, G, k = sp.symbols("m G k", positive=True)
+    left = [
+        m * d(x, 2) + G * d(y) + (k + kappa) * x - kappa * y + f * sp.cos(Omega * t) * x,
+        d(y, 2) - G * d(x) + k * y - kappa * x,
+    ]
+    scaled = equations(left, [x, y]).scale({f: 1})
+    found = hierarchy(scaled, 1)
+    assert found[x][0] == (
+        r"m D_0^2 x_{1} + G D_0 y_{1} + \left(k + \kappa\right) x_{1} - \kappa y_{1}"
+    )
+    assert squeezed(found[x][1]) == squeezed(
+        ["-2 m D_{0} D_{1} x_{0}", "-G D_{1} y_{0}", rf"-f {COS} x_{{0}}"]
+    )
+    assert squeezed(found[y][1]) == squeezed(["-2 D_{0} D_{1} y_{0}", "G D_{1} x_{0}"])
+    shown = report.modes(scaled)._repr_latex_()
+    # every K0 couples and G0 does as well: no coordinate is in quadrature with the other
+    assert r"x &= \Phi_{x 1} \eta_{1} + \Phi_{x 2} \eta_{2} + \Theta_{x 1} s_{1}" in shown

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .errors import CertificateError
+from .errors import CertificateError, UnresolvedError
 from .tables import relation_text
 
 if TYPE_CHECKING:
@@ -162,7 +162,7 @@ def fit_exponent(
     resolved = zip(fit.epsilons, fit.errors, fit.resolved, strict=True)
     points = sorted((e, x) for e, x, ok in resolved if ok)[:TAKEN]
     if len({e for e, _ in points}) < NEEDED:
-        raise CertificateError(
+        raise UnresolvedError(
             f"only {len(points)} of {len(errors)} errors of the {quantity} are above what the "
             "reference resolves: choose larger values of ε, or parameters that interact more"
         )

@@ -10,7 +10,7 @@ take no part in the fit. The functions that are not fitted must agree with those
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -19,7 +19,7 @@ from scipy.optimize import linear_sum_assignment
 from . import floquet
 from .certificate import SMALLEST, Certificate, Fit, Zone, fit_exponent, title
 from .consistency import arguments_of, demand_agreement, demand_speed_on_edge
-from .errors import CertificateError, FloquetError, MmsgenError
+from .errors import CertificateError, FloquetError, MmsgenError, UnresolvedError
 from .loading import load
 from .motion import RTOL, exact_motion, first_order_system, reconstruction, slow_motion
 from .numeric import Evaluator
@@ -36,6 +36,9 @@ first order, cε/1000, is larger there than what order 1 leaves, about cε².
 
 EDGE_EPSILONS = EPSILONS[:6]
 """For the edges of a zone, which become ill-conditioned as it closes."""
+
+LARGER_EPSILONS = tuple(2.0 ** (-k / 4) for k in range(4, 20))
+"""Where an error of high order, or of weak coupling, is soon below what doubles resolve."""
 
 MOTION_EPSILONS = EPSILONS[1:6]
 """For motions, which beat, and come into their asymptotic range later than exponents do."""
@@ -80,7 +83,7 @@ def certify(
         The emitted module; by default rendered and loaded from the case.
     epsilons : sequence of float, optional
         Values of ε > 0; by default `EPSILONS`, for the edges of a zone `EDGE_EPSILONS`, for motions
-        `MOTION_EPSILONS`.
+        `MOTION_EPSILONS`, and `LARGER_EPSILONS` where errors are too small to be resolved.
     numbers : mapping, optional
         Values of the independent parameters at which, at ε = 1, the critical speeds are set beside
         Floquet's; for a case that can be unstable.
@@ -114,10 +117,10 @@ def certify(
             steps = MOTION_EPSILONS if epsilons is None else epsilons
             fits = [_motion_fit(case, module, floats, steps, amplitudes, span)]
         else:
-            fits = [_exponent_fit(case, module, floats, EPSILONS if epsilons is None else epsilons)]
+            fits = [_resolved(_exponent_fit, case, module, floats, epsilons or EPSILONS, epsilons)]
             if _has_zone(case, module, floats):
-                steps = EDGE_EPSILONS if epsilons is None else epsilons
-                fits.append(_edge_fit(case, module, floats, steps))
+                steps = epsilons or EDGE_EPSILONS
+                fits.append(_resolved(_edge_fit, case, module, floats, steps, epsilons))
         if linear and all(f.passed for f in fits):
             demand_agreement(case, module, scaled_values(case, floats, 1.0)[0])
         if numbers and len(fits) > 1:
@@ -126,6 +129,26 @@ def certify(
         name = title(case) if case.relations else "without resonance"
         raise CertificateError(f"{name} at order {case.order}: {error}") from error
     return Certificate.of_case(case, floats, tuple(fits), zones)
+
+
+def _resolved(
+    fit: Callable[..., Fit],
+    case: Expansion,
+    module: Any,
+    values: Mapping[str, float],
+    steps: Sequence[float],
+    chosen: Sequence[float] | None,
+) -> Fit:
+    """A fit, with larger ε where the user has chosen none and too few errors are resolved."""
+    try:
+        return fit(case, module, values, steps)
+    except UnresolvedError:
+        if chosen is not None:
+            raise
+    try:
+        return fit(case, module, values, LARGER_EPSILONS)
+    except UnresolvedError:
+        return fit(case, module, values, [4 * e for e in LARGER_EPSILONS])
 
 
 def _scalars(table: Mapping[str, Any]) -> dict[str, float]:

@@ -16,6 +16,7 @@ __all__ = [
     "ModelError",
     "ResonanceError",
     "ScalingError",
+    "UnresolvedError",
 ]
 
 
@@ -53,6 +54,10 @@ class FloquetError(MmsgenError):
 
 class CertificateError(MmsgenError):
     """A result does not have the accuracy that its order claims."""
+
+
+class UnresolvedError(CertificateError):
+    """Too few errors are above what a reference resolves, so that no exponent can be fitted."""
 
 
 class ConventionError(MmsgenError):

@@ -2,6 +2,7 @@
 
 With d/dt = D_0 + εD_1 + … and q_j = q_{j,0} + εq_{j,1} + …, equation j at order p reads
 D_0² q_{j,p} + ω_j² q_{j,p} = −2D_0D_p q_{j,0} − …, with every coefficient written in real form.
+Coordinates that the leading order couples keep their matrices M0, G0 and K0.
 """
 
 from __future__ import annotations
@@ -42,13 +43,15 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list
     symbols = FieldSymbols(weak.ring.field, {**{str(c): c for c in CONSTANTS}, **table})
     names = [sp.latex(sp.Symbol(coordinate_name(q))) for q in scaled.eom.coordinates]
     result = {}
+    coupled = {j for component in scaled.modes.components for j in component.members}
     for j, q in enumerate(scaled.eom.coordinates):
-        omega = sp.latex(
-            symbols.polynomial(weak.ring.form_polynomial(weak.ring.amplitude_frequencies[j])) ** 2
-        )
-        own = _indexed(names[j], order)
-        left = f"D_0^2 {own} + {omega} {own}"
-        terms = list(_kinematic_terms(names[j], order)) if order else []
+        if j in coupled:
+            left, terms = _coupled_row(scaled, j, names, order, table)
+        else:
+            form = weak.ring.form_polynomial(weak.ring.amplitude_frequencies[j])
+            own = _indexed(names[j], order)
+            left = f"D_0^2 {own} + {sp.latex(symbols.polynomial(form) ** 2)} {own}"
+            terms = list(_kinematic_terms(names[j], order)) if order else []
         for factors, by_order in weak.forces[j].items():
             for s, series in by_order.items():
                 if s <= order:
@@ -58,6 +61,33 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list
             terms.append(sp.latex(-_real_form(weak, symbols, weak.forcing[j])))
         result[q] = left, terms
     return result
+
+
+def _coupled_row(
+    scaled: ScaledSystem, j: int, names: Sequence[str], order: int, table: dict[str, sp.Expr]
+) -> tuple[str, list[str]]:
+    """M0 D0²q + G0 D0 q + K0 q of one equation, and what the later time scales add to it."""
+    part = scaled.modes.part
+    left, terms = [], []
+    for derivative, entries in ((2, part.inertia), (1, part.gyroscopic), (0, part.stiffness)):
+        for (row, i), c in sorted(entries.items(), key=lambda item: item[0]):
+            if row != j:
+                continue
+            shown = FieldSymbols(c.field, table)(c)
+            operator = ("", "D_0 ", "D_0^2 ")[derivative]
+            left.append(_with_factor(shown, operator + _indexed(names[i], order)))
+            for k in range(order):
+                for number, text in _operators(derivative, order - k):
+                    terms.append(_with_factor(-number * shown, text + _indexed(names[i], k)))
+    return _joined(left), terms
+
+
+def _with_factor(factor: sp.Expr, text: str) -> str:
+    """A factor before an operator, without a 1."""
+    if factor in (1, -1):
+        return text if factor == 1 else f"-{text}"
+    shown = sp.latex(factor)
+    return rf"\left({shown}\right) {text}" if factor.is_Add else f"{shown} {text}"
 
 
 def _indexed(name: str, order: int) -> str:

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 import sympy as sp
 
 from .hierarchy import hierarchy
+from .symbols import coordinate_name
 from .tables import relation_latex
 
 if TYPE_CHECKING:
@@ -229,6 +230,29 @@ def orders(scaled: ScaledSystem, order: int, only: Sequence[sp.Expr] | None = No
         pieces = [f"- {t[1:].lstrip()}" if t[0] == "-" else f"+ {t}" for t in terms] or ["0"]
         first, *others = _wrapped([pieces[0].removeprefix("+ "), *pieces[1:]])
         lines += [f"{left} &= {first}", *(f"&\\quad {line}" for line in others)]
+    return Formula(tuple(lines))
+
+
+def modes(scaled: ScaledSystem) -> Formula:
+    """Coupled coordinates as sums of modes, and how their shapes are scaled."""
+    symbols = {p.name: p.symbol for p in scaled.parameters}
+    lines: list[str] = []
+    for component in scaled.modes.components:
+        for j in component.members:
+            terms = []
+            for r, real, imaginary in scaled.modes.shapes[j]:
+                eta = sp.Symbol(coordinate_name(scaled.coordinates[r]))
+                companion = sp.Symbol(eta.name.replace("eta", "s", 1))
+                terms += [symbols[real] * eta] if real else []
+                terms += [symbols[imaginary] * companion] if imaginary else []
+            name = sp.latex(sp.Symbol(coordinate_name(scaled.eom.coordinates[j])))
+            lines += _sum(name, sp.Add(*terms))
+        shown = [sp.latex(matrix) for matrix in component.matrices]
+        if component.gyroscopic:
+            inner = f"2 \\omega {shown[0]} - i {shown[1]}"
+            lines.append(f"2 \\omega &= \\varphi^H \\left({inner}\\right)\\varphi")
+        else:
+            lines.append(f"1 &= \\Phi^T {shown[0]} \\Phi")
     return Formula(tuple(lines))
 
 
