@@ -9,6 +9,8 @@ BIN := $(VENV)/bin
 ENV := $(VENV)/.installed
 LOWEST := .venv-lowest
 ENV_LOWEST := $(LOWEST)/.installed
+PEERS := .venv-peers
+ENV_PEERS := $(PEERS)/.installed
 PYTEST := $(BIN)/python -m pytest -n 2
 
 # A derivation is a percent-format script; other modules beside it are what derivations share.
@@ -26,7 +28,7 @@ export MPLBACKEND := Agg
 .NOTPARALLEL:
 .SUFFIXES:
 .SECONDEXPANSION:
-.PHONY: all check test test-all bench lint env clean distclean help FORCE
+.PHONY: all check test test-all bench peers lint env clean distclean help FORCE
 
 all: $(STAMPS)  ## derive, emit, certify, execute the notebooks: only what changed (the default)
 	@:
@@ -45,6 +47,10 @@ test-all: $(ENV) $(ENV_LOWEST)  ## also the slow tests, longer random ones, the 
 bench: $(ENV)  ## the benchmarks; they state numbers and fail on none
 	$(BIN)/python -m pytest benchmarks -o python_files="bench_*.py" --benchmark-only
 
+peers: $(ENV) $(ENV_PEERS)  ## beside oscilate and asymptotics on their own examples: up to an hour
+	$(BIN)/python benchmarks/peers/measure.py
+	$(BIN)/python benchmarks/peers/table.py
+
 lint: $(ENV)  ## ruff and mypy alone
 	$(BIN)/python -m ruff check .
 	$(BIN)/python -m mypy
@@ -56,7 +62,7 @@ clean:  ## remove what can be made again, except the environments and the commit
 	find src tests derivations generated benchmarks -name __pycache__ -prune -exec rm -rf {} +
 
 distclean: clean  ## clean, and remove the environments
-	rm -rf $(VENV) $(LOWEST)
+	rm -rf $(VENV) $(LOWEST) $(PEERS)
 
 help:  ## list the targets
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  make \1\t\2/p' $(firstword $(MAKEFILE_LIST)) | expand -t 18
@@ -99,4 +105,9 @@ $(ENV_LOWEST): pyproject.toml constraints.txt constraints-lowest.txt
 	$(LOWEST)/bin/python $(INSTALL) -c constraints-lowest.txt hatchling
 	$(LOWEST)/bin/python $(INSTALL) -c constraints-lowest.txt --no-build-isolation \
 	  -e ".[plot,notebook,cli,test]"
+	@touch $@
+
+$(ENV_PEERS): benchmarks/peers/requirements.txt
+	$(call make_venv,$(PEERS))
+	$(PEERS)/bin/python $(INSTALL) -r benchmarks/peers/requirements.txt
 	@touch $@
