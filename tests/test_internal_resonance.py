@@ -13,16 +13,16 @@ ROUNDING = 1e-14
 """A dozen operations on numbers of order one."""
 
 QUADRATIC, INTERNAL = "internal_resonance_1_2", "omega_2_is_two_omega_1"
-CUBIC = "internal_resonance_1_3"
+CUBIC, SPHERICAL = "internal_resonance_1_3", "internal_resonance_1_1"
 
 
 @pytest.mark.pinned
-@pytest.mark.parametrize("name", [QUADRATIC, CUBIC])
+@pytest.mark.parametrize("name", [SPHERICAL, QUADRATIC, CUBIC])
 def test_the_notebooks_of_internal_resonance(name: str) -> None:
     demand_notebook(name)
 
 
-@pytest.mark.parametrize(("name", "cases"), [(QUADRATIC, 6), (CUBIC, 5)])
+@pytest.mark.parametrize(("name", "cases"), [(SPHERICAL, 3), (QUADRATIC, 6), (CUBIC, 5)])
 def test_certificates_of_internal_resonance(name: str, cases: int) -> None:
     found = certificates(name)
     assert len(found) == cases
@@ -89,3 +89,45 @@ def test_printed_modulation_of_three_to_one() -> None:
     values |= {"omega_1": w1, "mu_1": m1, "mu_2": m2, "F_1": f1, "sigma_1": s1, "sigma_2": s2}
     b = [a1 / 2 * exp(1j * g1), a2 / 2 * exp(1j * g2)]
     np.testing.assert_allclose(case.slow_flow(b, **values), wanted, rtol=ROUNDING)
+
+
+def test_an_ellipse_turns_as_airy_says() -> None:
+    """The rate 3ωab/8L² of the axes, from the rates of the two circular motions in the ellipse."""
+    a, b, length, omega = 0.3, 0.1, 1.7, 2.3
+    case = emitted(SPHERICAL, "omega_y_is_omega_x_order_2")
+    rates = case.slow_flow([a / 2, -0.5j * b], omega_x=omega, L=length, mu=0.0, sigma=0.0)
+    # x + iy = R e^{iωt} + conj(Q) e^{-iωt}: the axes turn with half the difference of the phases
+    forward, back = a / 2 + b / 2, a / 2 - b / 2
+    turns = [(rates[0] + 1j * rates[1]) / forward, (rates[0] - 1j * rates[1]) / back]
+    assert np.abs(np.real(turns)).max() < ROUNDING
+    wanted = 3 * omega * a * b / (8 * length**2)
+    assert (turns[0] - turns[1]).imag / 2 == pytest.approx(wanted, rel=100 * ROUNDING)
+
+
+@pytest.mark.parametrize(("order", "following"), [(2, 5 / 32), (4, 15 / 128)])
+def test_the_conical_pendulum_has_its_exact_frequency(order: int, following: float) -> None:
+    """ω(1 − a²/L²)^{-1/4}; what an order leaves is the next term of the series."""
+    a, length, omega = 0.1, 1.7, 2.3
+    case = emitted(SPHERICAL, f"omega_y_is_omega_x_order_{order}")
+    rates = case.slow_flow([a / 2, -0.5j * a], omega_x=omega, L=length, mu=0.0, sigma=0.0)
+    small = (a / length) ** 2
+    error = omega * (1 - small) ** -0.25 - omega - rates[0].imag / (a / 2)
+    # the term after the next one is smaller by a²/L²
+    assert error / (omega * following * small ** (order / 2 + 1)) == pytest.approx(1, abs=0.01)
+
+
+@pytest.mark.parametrize(("number", "stable"), [(0.74, False), (0.78, True)])
+def test_a_shaken_pendulum_leaves_the_plane_below_the_bound_of_miles(
+    number: float, stable: bool
+) -> None:
+    """ν = 0.757, on the swing in phase with the force, undamped; L = ω = 1."""
+    force = 0.02
+    detuning = number / 2 * force ** (2 / 3)
+    roots = np.roots([1 / 16, 0, detuning, -force / 2])
+    (swing,) = roots[np.abs(roots.imag) < 1e-12].real
+    case = emitted(SPHERICAL, "omega_y_is_omega_x_and_Omega_is_omega_x_order_2")
+    values = {"omega_x": 1.0, "L": 1.0, "mu": 0.0, "f": force, "sigma_1": 0.0, "sigma_2": detuning}
+    assert np.abs(case.slow_flow([-swing / 2, 0], **values)).max() < ROUNDING
+    aside = [case.slow_flow([-swing / 2, 1e-7 * turn], **values)[1] / 1e-7 for turn in (1, 1j)]
+    determinant = aside[0].real * aside[1].imag - aside[0].imag * aside[1].real
+    assert bool(determinant > 0) is stable
