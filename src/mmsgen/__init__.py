@@ -38,7 +38,7 @@ from .symbols import epsilon
 from .tables import ResonanceTable
 
 if TYPE_CHECKING:
-    from . import floquet
+    from . import conventions, floquet
     from .certificate import Certificate
     from .certify import certify
     from .codegen import generate
@@ -68,6 +68,7 @@ __all__ = [
     "SlowFlow",
     "__version__",
     "certify",
+    "conventions",
     "epsilon",
     "floquet",
     "generate",
@@ -86,8 +87,8 @@ _LATER = {
 
 def __getattr__(name: str) -> Any:
     """Load what is needed only now."""
-    if name == "floquet":
-        return import_module(".floquet", __name__)
+    if name in ("conventions", "floquet"):
+        return import_module(f".{name}", __name__)
     if name not in _LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     value = getattr(import_module(f".{_LATER[name]}", __name__), name)
