@@ -396,13 +396,3 @@ def test_predicted_exponents_are_all_of_them() -> None:
 def test_default_ranges() -> None:
     assert EPSILONS == tuple(sorted(EPSILONS, reverse=True))
     assert set(EDGE_EPSILONS) < set(EPSILONS)
-
-
-def test_high_orders_choose_larger_epsilons_themselves() -> None:
-    """Errors of ε⁵ are soon below 1e-10: the fit goes on from ε = 1/2."""
-    certificate = mg.certify(mathieu().expand(4, PRINCIPAL), {**MATHIEU, "mu": 0.7, "f": 3.9})
-    assert max(certificate.fits[0].epsilons) > max(EPSILONS)
-    for fit in certificate.fits:
-        assert fit.exponent == pytest.approx(5, abs=0.1)
-    with pytest.raises(mg.CertificateError, match="choose larger values of ε"):
-        mg.certify(mathieu().expand(4, PRINCIPAL), MATHIEU, epsilons=EPSILONS[:6])

@@ -1,0 +1,608 @@
+# Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
+# Made from sha256 72269a4f5605c8d5b375a3066d276febba4bc55fc471936d8bc007a65e078a11
+# Operations for each point: growth_rate 126, boundaries 59, resonance 1, slow_flow_matrix 68,
+# characteristic_coefficients 147, slow_flow 79, leading 9
+"""rotating_shaft: nu = omega_1 + omega_2 + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of eta_1, eta_2. Results are written at ε = 1.
+
+It can be unstable: the discriminant of Gamma**2 - I*Gamma*sigma -
+Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2) is positive in an interval of the
+detuning.
+
+No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
+and a case of its own: omega_1 - omega_2.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; gyroscopic modes after
+Meirovitch, AIAA Journal 12 (1974)
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._eigenmodes import modal_values
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    defined,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    growing,
+    multiply_out,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "modes",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("nu = omega_1 + omega_2 + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("eta_1", "eta_2")
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, nu = omega_1 + omega_2 + sigma"),
+    "kappa": ("positive", "N m/rad", "amplitude of its modulation in one direction"),
+    "omega_1": ("positive", "rad/s", "natural frequency 1, of alpha, beta"),
+    "omega_2": ("positive", "rad/s", "natural frequency 2, of alpha, beta"),
+    "Phi_alpha_1": ("real", "1", "component alpha of mode 1"),
+    "Phi_alpha_2": ("real", "1", "component alpha of mode 2"),
+    "I_t": ("positive", "kg m^2", "inertia about a diameter"),
+    "I_p": ("positive", "kg m^2", "inertia about the axis of rotation"),
+    "Omega_s": ("positive", "rad/s", "speed of rotation"),
+    "k": ("positive", "N m/rad", "stiffness against tilting"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "eta_1": {},
+    "eta_2": {"sigma": 1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_eta_1", "conj(A_eta_2)")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
+    # Intermediates
+    x0 = 1 / omega_2
+    x1 = Phi_alpha_1 * Phi_alpha_1
+    x2 = Phi_alpha_2 * Phi_alpha_2
+    x3 = x1 * x2
+    x4 = kappa * kappa
+    x5 = x3 * x4
+    x6 = omega_1 * omega_1
+    x7 = 1 / x6
+    x8 = 3 * omega_1 + omega_2
+    x9 = 1 / 8 * x7
+    x10 = omega_1 + 3 * omega_2
+    x11 = omega_1 + omega_2
+    x12 = 2 * Phi_alpha_2
+    x13 = omega_1 - omega_2
+    x14 = sigma * sigma
+    x15 = omega_2 * omega_2
+    x16 = x1 * x1
+    x17 = x2 * x2
+    x18 = x6 * x6
+    x19 = x15 * x15
+    x20 = x8 * x8
+    x21 = x10 * x10
+    x22 = x11 * x11
+    x23 = x13 * x13
+    x24 = x4 * x4
+    x25 = omega_1 * x19
+    x26 = omega_2 * x18
+    x27 = 3 * x3
+    x28 = omega_2 * x15
+    x29 = x28 * x6
+    x30 = omega_1 * x6
+    x31 = x15 * x30
+    x32 = 10 * x3
+    x33 = omega_2 * x19
+    x34 = omega_1 * x18
+    x35 = (
+        12 * x16 * x25 + 16 * x16 * x29 + 4 * x16 * x31 + x25 * x32 + x27 * x29 + x27 * x33
+        - 12 * x17 * x26 - 4 * x17 * x29 - 16 * x17 * x31 - x26 * x32 - x27 * x31 - x27 * x34
+    )
+    x36 = x35 * x35
+    # Outputs
+    discriminant_1 = (
+        sigma * x4 * (1 / 8 * x1 * x2 * x7 / x11
+        - x0 * x2 * x9 * (Phi_alpha_1 - x12) * (Phi_alpha_1 + x12) - x16 * x9 / x8
+        - x9 * (Phi_alpha_1 - Phi_alpha_2) * (Phi_alpha_1 + Phi_alpha_2) * (x1 + x2) / x13
+        - 9 / 8 * x17 * x7 / x10) + 1 / 16 * x14 * x5 * x7 / x15 + 1 / 4 * x0 * x5 / omega_1 - x14
+        - 1 / 256 * x24 * x36 / (x18 * x19 * x20 * x21 * x22 * x23)
+    )
+    return growing(discriminant_1)
+
+
+def _boundaries(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
+    # Intermediates
+    x0 = 1 / omega_2
+    x1 = np.sqrt(x0 / omega_1)
+    x2 = 1 / 2 * kappa * x1 * np.abs(Phi_alpha_1) * np.abs(Phi_alpha_2)
+    x3 = omega_1 * omega_1
+    x4 = 1 / x3
+    x5 = kappa * kappa
+    x6 = x4 * x5
+    x7 = 1 / 16 * x6
+    x8 = 2 * Phi_alpha_2
+    x9 = Phi_alpha_1 * Phi_alpha_1
+    x10 = Phi_alpha_2 * Phi_alpha_2
+    x11 = x9 * x9
+    x12 = x10 * x10
+    x13 = (
+        x0 * x10 * x7 * (Phi_alpha_1 - x8) * (Phi_alpha_1 + x8) + x11 * x7 / (3 * omega_1 + omega_2)
+        + 9 / 16 * x12 * x6 / (omega_1 + 3 * omega_2) + x7 * (Phi_alpha_1 - Phi_alpha_2)
+        * (Phi_alpha_1 + Phi_alpha_2) * (x10 + x9) / (omega_1 - omega_2)
+        - 1 / 16 * x10 * x4 * x5 * x9 / (omega_1 + omega_2)
+    )
+    # Outputs
+    lower = -x13 - x2
+    upper = x2 - x13
+    return defined(lower, upper)
+
+
+def _resonance(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
+    centre = omega_1 + omega_2
+    return centre, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2
+
+
+def _slow_flow_matrix(out, sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = 1 / omega_2
+    x3 = 1 / 16 / (omega_1 - omega_2)
+    x4 = Phi_alpha_1 * Phi_alpha_1
+    x5 = x4 * x4
+    x6 = x1 * x5
+    x7 = 1 / (omega_1 + omega_2)
+    x8 = kappa * kappa
+    x9 = Phi_alpha_2 * Phi_alpha_2
+    x10 = 1 / omega_1
+    x11 = Phi_alpha_1 * Phi_alpha_2 * kappa
+    x12 = 1 / 4 * x11
+    x13 = omega_2 * omega_2
+    x14 = 1 / x13
+    x15 = 1 / 32 * x14 * x4 * x9
+    x16 = x9 * x9
+    # Outputs
+    out[..., 0, 0].imag = (
+        x8 * (1 / 32 * x1 * x2 * x4 * x9 + 1 / 32 * x1 * x4 * x7 * x9 - x3 * x6
+        - 1 / 16 * x6 / (3 * omega_1 + omega_2))
+    )
+    out[..., 0, 1].imag = x10 * x12 - 1 / 8 * sigma * x1 * x11
+    out[..., 1, 0].imag = 1 / 8 * Phi_alpha_1 * Phi_alpha_2 * kappa * sigma * x14 - x12 * x2
+    out[..., 1, 1].imag = (
+        sigma + x8 * (1 / 16 * x14 * x16 / (omega_1 + 3 * omega_2) - x10 * x15 - x14 * x16 * x3
+        - x15 * x7)
+    )
+
+
+def _characteristic_coefficients(out, sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = omega_1 * x0
+    x2 = omega_2 * x1
+    x3 = Phi_alpha_1 * Phi_alpha_1
+    x4 = 3 / 16 * x3
+    x5 = Phi_alpha_2 * Phi_alpha_2
+    x6 = omega_2 * omega_2
+    x7 = x6 * x6
+    x8 = x5 * x7
+    x9 = x0 * x6
+    x10 = 1 / 4 * x9
+    x11 = omega_2 * x6
+    x12 = x11 * x5
+    x13 = omega_1 * x12
+    x14 = 1 / 4 * x3
+    x15 = x2 * x5
+    x16 = x5 * x9
+    x17 = 1 / (3 * omega_1 + omega_2)
+    x18 = x17 / (omega_1 + 3 * omega_2)
+    x19 = omega_1 - omega_2
+    x20 = 1 / x19
+    x21 = 1 / x0
+    x22 = 1 / x6
+    x23 = x21 * x22
+    x24 = kappa * kappa
+    x25 = x3 * x3
+    x26 = x5 * x5
+    x27 = x0 * x0
+    x28 = x24 * x3 * x5
+    x29 = omega_1 + omega_2
+    x30 = 3 * x5
+    x31 = x11 * x3
+    x32 = 8 * omega_1
+    x33 = 8 * x3
+    x34 = omega_1 * x6
+    x35 = omega_2 * x0
+    x36 = x32 * x6
+    x37 = x35 * x5
+    x38 = sigma * sigma
+    x39 = x19 * x19
+    x40 = x29 * x29
+    x41 = x24 * x24
+    # Outputs
+    c1_1 = (
+        1j * (x18 * x20 * x23 * x24 * (3 / 4 * omega_1 * x11 * x25 + x10 * x25 + x10 * x26
+        + x13 * x14 + x14 * x15 + 3 / 4 * x2 * x26 + x27 * x4 * x5 + x4 * x8 - 7 / 8 * x16 * x3)
+        - sigma)
+    )
+    c1_0 = (
+        1 / 32 * sigma * x17 * x20 * x21 * x22 * x24 * x3 * (x13 + x15 + x27 * x30 + x31 * x32
+        + x33 * x9 + x8 - 6 * x16) / x29 - 1 / 64 * x23 * x28 * x38 - 1 / 1024 * x18 * x3 * x41 * x5
+        * (2 * x1 * x3 + 5 * x3 * x35 + x36 * x5 + 8 * x37 - 4 * x3 * x34 - 3 * x31) * (2 * x12 + x3
+        * x36 + x33 * x35 + 5 * x34 * x5 - x1 * x30 - 4 * x37) / (x1 * x11 * x39 * x40)
+        - 1 / 16 * x28 / (omega_1 * omega_2)
+    )
+    multiply_out(out, ((c1_1, c1_0), 1))
+
+
+def _slow_flow(out, A_eta_1, A_eta_2, sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = -sigma
+    x3 = 1 / 8 * 1j * Phi_alpha_1 * Phi_alpha_2 * kappa
+    x4 = kappa * kappa
+    x5 = 1j * x4
+    x6 = 1 / 16 * x5
+    x7 = x6 / (omega_1 - omega_2)
+    x8 = Phi_alpha_1 * Phi_alpha_1
+    x9 = x8 * x8
+    x10 = x1 * x9
+    x11 = 1 / (omega_1 + omega_2)
+    x12 = Phi_alpha_2 * Phi_alpha_2
+    x13 = omega_2 * omega_2
+    x14 = 1 / x13
+    x15 = 1 / 32 * x12 * x14 * x5 * x8
+    x16 = x12 * x12
+    x17 = x14 * x16
+    # Outputs
+    out[..., 0] = (
+        A_eta_1 * (1 / 32 * 1j * x1 * x11 * x12 * x4 * x8
+        + 1 / 32 * 1j * x1 * x12 * x4 * x8 / omega_2 - x10 * x6 / (3 * omega_1 + omega_2)
+        - x10 * x7) + x1 * x3 * (2 * omega_1 + x2) * np.conj(A_eta_2)
+    )
+    out[..., 1] = (
+        A_eta_2 * (x11 * x15 + x17 * x7 + x15 / omega_1 - x17 * x6 / (omega_1 + 3 * omega_2))
+        + x14 * x3 * (2 * omega_2 + x2) * np.conj(A_eta_1) - 1j * A_eta_2 * sigma
+    )
+
+
+def _leading(out, I_t, I_p, Omega_s, k):
+    # Intermediates
+    x0 = I_p * Omega_s
+    x1 = k * k
+    x2 = I_p * I_p
+    x3 = Omega_s * Omega_s
+    x4 = I_t * I_t
+    # Outputs
+    out[..., 0] = I_t
+    out[..., 3] = I_t
+    out[..., 5] = -x0
+    out[..., 6] = x0
+    out[..., 8] = k
+    out[..., 11] = k
+    out[..., 12] = x1
+    out[..., 13] = -2 * I_t * k - x2 * x3
+    out[..., 14] = x4
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
+    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    Amplitudes grow like exp(Γ t). Where the discriminant of the quadratic in Γ is positive, the
+    rate is half its root; elsewhere both modes are neutral and the rate is exactly 0.0.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, nu = omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike,
+    Phi_alpha_2: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case.
+
+    Parameters
+    ----------
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
+        Phi_alpha_2=Phi_alpha_2,
+    )
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(
+    *, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike,
+    Phi_alpha_2: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in nu.
+
+    Where nu = omega_1 + omega_2 + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
+        Phi_alpha_2=Phi_alpha_2,
+    )
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
+    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, nu = omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2, 2), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evaluate_array(_slow_flow_matrix, arguments, (2, 2))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
+    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, nu = omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evaluate_array(_characteristic_coefficients, arguments, (3,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike,
+    omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def modes(*, I_t: ArrayLike, I_p: ArrayLike, Omega_s: ArrayLike, k: ArrayLike) -> dict[str, Any]:
+    """Natural frequencies and mode shapes, as keywords for the other functions.
+
+    Of M0 q'' + G0 q' + K0 q = 0, the leading order. The shape φ = Φ + iΘ of a mode is scaled by
+    φᴴ(2ω M0 - iG0)φ = 2ω, which is Φᵀ M0 Φ = 1 without gyroscopic terms; its largest component is
+    positive, or i times positive.
+
+    Parameters
+    ----------
+    I_t : array_like
+        Inertia about a diameter, kg m^2, > 0.
+    I_p : array_like
+        Inertia about the axis of rotation, kg m^2, > 0.
+    Omega_s : array_like
+        Speed of rotation, rad/s, > 0.
+    k : array_like
+        Stiffness against tilting, N m/rad, > 0.
+
+    Returns
+    -------
+    float64
+        Name -> float64, in the shape to which the arguments broadcast; NaN where M0 or K0 is not
+        positive definite.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, I_t=I_t, I_p=I_p, Omega_s=Omega_s, k=k)
+    return modal_values(
+        evaluate_array(_leading, arguments, (15,)).real,
+        (
+            (
+                2,
+                (False, True),
+                ((2, 1),),
+                (("omega_1", 1.0), ("omega_2", 1.0)),
+                (("Phi_alpha_1", 0, 0, False), ("Phi_alpha_2", 0, 1, False)),
+            ),
+        ),
+    )
