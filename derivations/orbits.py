@@ -8,7 +8,9 @@ import numpy as np
 from mmsgen.motion import exact_motion, first_order_system
 
 SAMPLES = 64
-STEPS = 12
+STEPS = 30
+REACH = 0.1
+"""Largest step over the size of the motion: near folds Newton's own ones lead astray."""
 
 
 def orbit(eom, values, period, start):
@@ -30,7 +32,7 @@ def orbit(eom, values, period, start):
         ]
         monodromy = (np.stack(ends, axis=1) - path[:, -1:]) / shift
         step = np.linalg.solve(np.eye(len(state)) - monodromy, path[:, -1] - state)
-        state = state + step
+        state = state + step * min(1, REACH * scale / np.abs(step).max())
         if np.abs(step).max() < 1e-9 * scale:
             return path[:, :-1], np.linalg.eigvals(monodromy)
     raise ArithmeticError(f"no periodic motion near {start}")
