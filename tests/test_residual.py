@@ -17,6 +17,7 @@ from systems import (
     d,
     equations,
     f,
+    k,
     kappa,
     omega_1,
     omega_2,
@@ -40,23 +41,32 @@ COORDINATES = (x, y, z, w)
 NATURAL = (omega_1, omega_2, omega_3, sp.Symbol("omega_4", positive=True))
 EXCITATION = (Omega, Omega_2)
 STRENGTHS = (alpha, beta, kappa, f)
+JOINTS = {"stiffness": (0, 1), "gyroscopic": (1, -1), "inertia": (2, 1)}
+"""What couples the first two coordinates at leading order: derivative and sign on the way back."""
 
 
 @st.composite
 def systems(draw: st.DrawFn) -> tuple[ScaledSystem, int, dict[sp.Expr, sp.Expr]]:
     """Two to four coordinates, sparse polynomial terms in all derivatives, one or two excitations.
 
+    The leading order may couple two of them, by stiffness, inertia or gyroscopic terms.
     Coordinates may share a frequency. With an amplitude of order 1, the quadratic terms are of
     order 1 by themselves and forcing has to be of order 2.
     """
     size = draw(st.integers(2, 4))
     weight = draw(st.sampled_from([0, 0, 1]))
     order = draw(st.sampled_from([1, 1, 2, 2, 3])) if size == 2 else draw(st.sampled_from([1, 2]))
+    joint = draw(st.sampled_from([None, None, *JOINTS]))
+    order = order if joint is None else min(order, 2)
     q = COORDINATES[:size]
     natural = [draw(st.sampled_from(NATURAL[: j + 1])) for j in range(size)]
     drives = EXCITATION[: draw(st.integers(1, 2))]
     variables = [v.diff(t, n) if n else v for n in range(3) for v in q]
     left = [v.diff(t, 2) + n**2 * v for v, n in zip(q, natural, strict=True)]
+    if joint is not None:
+        derivative, sign = JOINTS[joint]
+        left[0] += k * (q[1].diff(t, derivative) if derivative else q[1])
+        left[1] += sign * k * (q[0].diff(t, derivative) if derivative else q[0])
     for _ in range(draw(st.integers(1, 4 if order < 3 else 2))):
         j = draw(st.integers(0, size - 1))
         term = draw(st.sampled_from(STRENGTHS)) * sp.Rational(draw(st.integers(1, 5)), 2)
@@ -72,8 +82,8 @@ def systems(draw: st.DrawFn) -> tuple[ScaledSystem, int, dict[sp.Expr, sp.Expr]]
     eom = equations(left, q)
     known = {p.symbol for p in eom.parameters}
     orders = {s: 1 + weight for s in STRENGTHS if s in known}
-    symbols = [s for s in (*dict.fromkeys(natural), *drives) if s in known]
     scaled = eom.scale(orders, amplitude=weight)
+    symbols = list(scaled.frequencies)
     relations: dict[sp.Expr, sp.Expr] = {}
     table = list(scaled.resonances(order).coupled)
     for _ in range(draw(st.sampled_from([0, 1, 1, 2, 3])) if table else 0):
