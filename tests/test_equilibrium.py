@@ -253,9 +253,16 @@ def test_refused_by_name_about(call: Any, phrases: list[str]) -> None:
 
 
 def test_an_unstable_equilibrium_is_refused_by_the_leading_order() -> None:
+    refusal = (
+        r"equation of x\(t\) at leading order.*not oscillate.*stiffness over inertia is {} < 0"
+    )
+    with pytest.raises(ScalingError, match=refusal.format("-k") + ".*equilibria"):
+        double_well().about({x: 0}).scale({}, amplitude=1).expand(1)
     unstable = double_well().about({x: 0}, eliminate={k: w**2})
-    with pytest.raises(ScalingError, match=r"equation of x\(t\).*not oscillate.*-omega\*\*2 < 0"):
+    with pytest.raises(ScalingError, match=refusal.format(r"-omega\*\*2")):
         unstable.scale({}, amplitude=1).expand(1)
+    with pytest.raises(ScalingError, match=r"equation of theta\(t\).*not oscillate.*< 0"):
+        hoop().about({theta: sp.pi}).scale({}, amplitude=1).expand(1)
 
 
 # --- expanded about -------------------------------------------------------------------------------

@@ -141,6 +141,12 @@ def _single(
     mass, stiffness = part.inertia.get((j, j)), part.stiffness.get((j, j))
     form, ratio = frequency_form(q, mass, stiffness, symbols.field)
     square = symbols(ratio)
+    if sign(ratio, names.positive) == -1:
+        raise ScalingError(
+            f"the equation of {q} at leading order does not oscillate: its stiffness over inertia "
+            f"is {square} < 0, so the equilibrium is unstable; .equilibria() of the equations of "
+            "motion lists others, and .about(...) moves there"
+        )
     if form is not None:
         names.squares.append((square, form))
         return form, False
