@@ -17,7 +17,8 @@ import mmsgen as mg
 from mmsgen import report
 from mmsgen.certificate import Certificate, Fit, Zone
 from mmsgen.expansion import Expansion
-from mmsgen.report import Formula, Statement, Table, _merged_roots, _width
+from mmsgen.lines import LINE, merged_roots, width
+from mmsgen.report import Formula, Statement, Table
 
 NUMBERS = [0.71, 1.13, 0.37, 1.9, 0.53, 2.3, 0.83, 1.7, 0.29, 1.31, 3.1, 0.61, 1.49, 2.7, 0.47]
 
@@ -267,19 +268,19 @@ def test_roots_are_put_together_only_where_no_sign_can_change(signs: tuple[int, 
     p = sp.Symbol("p", positive=True)
     product = sp.sqrt(u) * sp.sqrt(v) * sp.sqrt(p) / sp.sqrt(p + 1)
     at = {u: sp.Integer(2 * signs[0]), v: sp.Integer(3 * signs[1]), p: sp.Integer(5)}
-    shown = _merged_roots(product).subs(at)
+    shown = merged_roots(product).subs(at)
     assert sp.expand(shown.doit() ** 2 - product.subs(at) ** 2) == 0
     assert abs(complex(shown.evalf()) - complex(product.subs(at).evalf())) < 1e-14
-    assert "sqrt{\\frac{p}{p + 1}}" in sp.latex(_merged_roots(product)).replace(" p", "p", 0)
+    assert "sqrt{\\frac{p}{p + 1}}" in sp.latex(merged_roots(product)).replace(" p", "p", 0)
 
 
 def test_width_counts_what_is_seen() -> None:
-    assert _width("a + b") == 3
-    assert _width(r"\frac{a + b}{c}") == 3
-    assert _width(r"\frac{a}{b + c + d}") == 5
-    assert _width(r"\omega_{\phi}") == 2
-    assert _width(r"\Bigl( \sin{\left(t \right)} \Bigr)") == 8
-    assert _width(r"\overline{A_{x}}") == _width("A_{x}")
+    assert width("a + b") == 3
+    assert width(r"\frac{a + b}{c}") == 3
+    assert width(r"\frac{a}{b + c + d}") == 5
+    assert width(r"\omega_{\phi}") == 2
+    assert width(r"\Bigl( \sin{\left(t \right)} \Bigr)") == 8
+    assert width(r"\overline{A_{x}}") == width("A_{x}")
 
 
 def test_orders_fit_their_lines() -> None:
@@ -288,7 +289,7 @@ def test_orders_fit_their_lines() -> None:
         lines = report.orders(scaled, order).lines
         assert all(balanced(line) for line in lines)
         # a single piece may be longer than a line, several together are not
-        assert all(_width(line) < 2 * report.LINE for line in lines)
+        assert all(width(line) < 2 * LINE for line in lines)
 
 
 # --- tables and sentences -------------------------------------------------------------------------
@@ -351,3 +352,12 @@ def test_everything_of_a_case_is_printable_in_a_notebook() -> None:
         assert "&" not in str(shown)
         assert repr(shown) == str(shown)
     assert isinstance(case.slow_flow, mg.SlowFlow)
+
+
+def test_particular_solutions_show_one_of_each_conjugate_pair() -> None:
+    """x'' + ω²x + εαx² = 0: x_1 = −2αAĀ/ω² + αA²e^{2iωT0}/(3ω²) + c.c."""
+    case = oscillator(alpha * x**2).scale({alpha: 1}).expand(2)
+    (line,) = report.particular(case, 1).lines
+    assert line.startswith("x_{1} &= ") and line.endswith(r" + \mathrm{c.c.}")
+    assert line.count("e^{") == 1
+    assert r"\frac{2 A_{x} \alpha \overline{A_{x}}}{\omega^{2}}" in line

@@ -21,7 +21,7 @@ from .weak import WeakSystem
 if TYPE_CHECKING:
     from .scaling import ScaledSystem
 
-__all__ = ["hierarchy"]
+__all__ = ["hierarchy", "indexed"]
 
 
 def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list[str]]]:
@@ -49,7 +49,7 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list
             left, terms = _coupled_row(scaled, j, names, order, table)
         else:
             form = weak.ring.form_polynomial(weak.ring.amplitude_frequencies[j])
-            own = _indexed(names[j], order)
+            own = indexed(names[j], order)
             left = f"D_0^2 {own} + {sp.latex(symbols.polynomial(form) ** 2)} {own}"
             terms = list(_kinematic_terms(names[j], order)) if order else []
         for factors, by_order in weak.forces[j].items():
@@ -75,10 +75,10 @@ def _coupled_row(
                 continue
             shown = FieldSymbols(c.field, table)(c)
             operator = ("", "D_0 ", "D_0^2 ")[derivative]
-            left.append(_with_factor(shown, operator + _indexed(names[i], order)))
+            left.append(_with_factor(shown, operator + indexed(names[i], order)))
             for k in range(order):
                 for number, text in _operators(derivative, order - k):
-                    terms.append(_with_factor(-number * shown, text + _indexed(names[i], k)))
+                    terms.append(_with_factor(-number * shown, text + indexed(names[i], k)))
     return _joined(left), terms
 
 
@@ -90,7 +90,7 @@ def _with_factor(factor: sp.Expr, text: str) -> str:
     return rf"\left({shown}\right) {text}" if factor.is_Add else f"{shown} {text}"
 
 
-def _indexed(name: str, order: int) -> str:
+def indexed(name: str, order: int) -> str:
     """The name of q_{j,p}: the order joins the subscripts."""
     if "_{" in name:
         head, tail = name.split("_{", 1)
@@ -115,14 +115,14 @@ def _motion(name: str, derivative: int, order: int) -> Iterator[tuple[int, str]]
     """The ε^order part of a derivative of q, each term with its multiplicity."""
     for k in range(order + 1):
         for number, operator in _operators(derivative, order - k):
-            yield number, f"{operator}{_indexed(name, k)}"
+            yield number, f"{operator}{indexed(name, k)}"
 
 
 def _kinematic_terms(name: str, order: int) -> Iterator[str]:
     """−q'' at one order, without D_0² of the unknown."""
     for k in range(order):
         for number, operator in _operators(2, order - k):
-            yield f"-{_times(number, operator + _indexed(name, k))}"
+            yield f"-{_times(number, operator + indexed(name, k))}"
 
 
 def _times(number: int, text: str) -> str:

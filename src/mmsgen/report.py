@@ -5,14 +5,15 @@ The functions here only arrange what the records hold; nothing is derived in thi
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from .hierarchy import hierarchy
+from .expressions import series_expression
+from .hierarchy import hierarchy, indexed
+from .lines import pieces, sum_lines, wrapped
 from .symbols import coordinate_name
 from .tables import relation_latex
 
@@ -32,46 +33,17 @@ __all__ = [
     "certificate_table",
     "equations",
     "expression",
+    "modes",
     "modulation",
     "orders",
     "parameter_table",
+    "particular",
     "polynomial",
     "secular",
     "solvability",
     "verdict",
     "zone_table",
 ]
-
-LINE = 56
-"""Width of a line in characters as they are seen."""
-
-_FRACTION = re.compile(r"\\frac\{([^{}]*)\}\{([^{}]*)\}")
-_UNSEEN = re.compile(
-    r"\\(?:left|right|Bigl|Bigr|overline|displaystyle|sqrt|quad|cdot|frac)\b|[{}_^&\\ ]"
-)
-_COMMAND = re.compile(r"\\[A-Za-z]+")
-
-
-def _width(text: str) -> int:
-    """How many characters of LaTeX are seen, a fraction counting as its longer half."""
-    text = _COMMAND.sub(
-        lambda m: m[0] if _UNSEEN.fullmatch(m[0]) else ("sin" if m[0] in _WORDS else "x"), text
-    )
-    previous = ""
-    while previous != text:
-        previous = text
-        text = _FRACTION.sub(lambda m: " " + max(m[1], m[2], key=_seen), text)
-        text = re.sub(r"([_^])\{([^{}]*)\}", lambda m: m[2][: (len(m[2]) + 1) // 2], text)
-        # The space keeps a command before the brace apart from what was in it.
-        text = re.sub(r"(?<!\})\{([^{}]*)\}(?!\{)", r" \1", text)
-    return _seen(text)
-
-
-def _seen(text: str) -> int:
-    return len(_UNSEEN.sub("", text))
-
-
-_WORDS = ("\\sin", "\\cos")
 
 
 @dataclass(frozen=True)
@@ -128,55 +100,8 @@ class Statement:
     __repr__ = __str__
 
 
-def _merged_roots(term: sp.Expr) -> sp.Expr:
-    """A product with all its square roots under one, as far as that changes no sign."""
-    inside, outside = [], []
-    for factor in sp.Mul.make_args(term):
-        base, exponent = factor.as_base_exp()
-        if factor != sp.I and exponent.is_Rational and exponent.q == 2 and base.is_nonnegative:
-            inside.append(base ** (2 * exponent))
-        else:
-            outside.append(factor)
-    if not inside:
-        return term
-    root = sp.Pow(sp.Mul(*inside), sp.S.Half, evaluate=False)
-    return sp.Mul(*outside, root, evaluate=False) if outside else root
-
-
-def _signed(term: sp.Expr) -> str:
-    """A term of a sum, with its sign in front."""
-    negative = term.could_extract_minus_sign()
-    return f"{'-' if negative else '+'} {sp.latex(_merged_roots(-term if negative else term))}"
-
-
-def _pieces(expression: sp.Expr) -> list[str]:
-    """A sum in pieces that may stand on lines of their own; long brackets are opened."""
-    pieces = []
-    for term in expression.as_ordered_terms():
-        sums = [f for f in sp.Mul.make_args(term) if isinstance(f, sp.Add) and len(f.args) > 2]
-        if len(sums) != 1 or _width(sp.latex(term)) < LINE:
-            pieces.append(_signed(term))
-            continue
-        rest = term / sums[0]
-        inner = _pieces(sums[0])
-        inner[0] = inner[0][2:] if inner[0].startswith("+") else inner[0]
-        pieces.append(f"{_signed(rest)} \\Bigl( {inner[0]}")
-        pieces += inner[1:]
-        pieces[-1] += " \\Bigr)"
-    return pieces
-
-
-def _sum(left: str, expression: sp.Expr, relation: str = "=") -> list[str]:
-    """A sum over several aligned lines."""
-    pieces = _pieces(expression)
-    if relation and pieces[0].startswith("+"):
-        pieces[0] = pieces[0][2:]
-    first, *others = _wrapped(pieces)
-    return [f"{left} &{relation} {first}", *(f"&\\quad {line}" for line in others)]
-
-
 def _aligned(pairs: Iterable[tuple[str, sp.Expr]]) -> Formula:
-    return Formula(tuple(line for left, right in pairs for line in _sum(left, right)))
+    return Formula(tuple(line for left, right in pairs for line in sum_lines(left, right)))
 
 
 def parameter_table(parameters: Sequence[Parameter]) -> Table:
@@ -198,8 +123,8 @@ def equations(eom: EquationsOfMotion, only: Sequence[sp.Expr] | None = None) -> 
     chosen = pairs if only is None else {q: pairs[q] for q in only}
     lines: list[str] = []
     for expression in chosen.values():
-        pieces = _pieces(expression)
-        first, *others = _wrapped([pieces[0].removeprefix("+ "), *pieces[1:]])
+        parts = pieces(expression)
+        first, *others = wrapped([parts[0].removeprefix("+ "), *parts[1:]])
         lines += [f"&{first}", *(f"&\\quad {line}" for line in others)]
         lines[-1] = f"{lines[-1]} = 0"
     return Formula(tuple(lines))
@@ -207,7 +132,7 @@ def equations(eom: EquationsOfMotion, only: Sequence[sp.Expr] | None = None) -> 
 
 def expression(left: str, value: sp.Expr) -> Formula:
     """A formula left = value over as many lines as it needs."""
-    return Formula(tuple(_sum(left, value)))
+    return Formula(tuple(sum_lines(left, value)))
 
 
 def verdict(case: Expansion) -> Statement:
@@ -227,8 +152,8 @@ def orders(scaled: ScaledSystem, order: int, only: Sequence[sp.Expr] | None = No
     chosen = found if only is None else {q: found[q] for q in only}
     lines: list[str] = []
     for left, terms in chosen.values():
-        pieces = [f"- {t[1:].lstrip()}" if t[0] == "-" else f"+ {t}" for t in terms] or ["0"]
-        first, *others = _wrapped([pieces[0].removeprefix("+ "), *pieces[1:]])
+        parts = [f"- {t[1:].lstrip()}" if t[0] == "-" else f"+ {t}" for t in terms] or ["0"]
+        first, *others = wrapped([parts[0].removeprefix("+ "), *parts[1:]])
         lines += [f"{left} &= {first}", *(f"&\\quad {line}" for line in others)]
     return Formula(tuple(lines))
 
@@ -246,13 +171,29 @@ def modes(scaled: ScaledSystem) -> Formula:
                 terms += [symbols[real] * eta] if real else []
                 terms += [symbols[imaginary] * companion] if imaginary else []
             name = sp.latex(sp.Symbol(coordinate_name(scaled.eom.coordinates[j])))
-            lines += _sum(name, sp.Add(*terms))
+            lines += sum_lines(name, sp.Add(*terms))
         shown = [sp.latex(matrix) for matrix in component.matrices]
         if component.gyroscopic:
             inner = f"2 \\omega {shown[0]} - i {shown[1]}"
             lines.append(f"2 \\omega &= \\varphi^H \\left({inner}\\right)\\varphi")
         else:
             lines.append(f"1 &= \\Phi^T {shown[0]} \\Phi")
+    return Formula(tuple(lines))
+
+
+def particular(case: Expansion, order: int, only: Sequence[sp.Expr] | None = None) -> Formula:
+    """The particular solutions q_{j,p}; of terms that are conjugate to each other, one."""
+    ring = case.weak.ring
+    lines: list[str] = []
+    for j, q in enumerate(case.coordinates):
+        if only is not None and q not in only:
+            continue
+        series = case.solver.eta[order][j]
+        half = {key: c for key, c in series.items() if key >= ring.conjugate_key(key)}
+        shown = series_expression(ring, half, case.symbols, case.fast_monomial)
+        lines += sum_lines(indexed(sp.latex(sp.Symbol(coordinate_name(q))), order), shown)
+        if len(half) < len(series):
+            lines[-1] += " + \\mathrm{c.c.}"
     return Formula(tuple(lines))
 
 
@@ -268,7 +209,7 @@ def secular(case: Expansion, order: int, only: Sequence[sp.Expr] | None = None) 
         if terms == 0:
             lines.append(f"{head} &= 0")
             continue
-        lines += _sum(head, terms, "")
+        lines += sum_lines(head, terms, "")
         lines[-1] += " = 0"
     return Formula(tuple(lines))
 
@@ -302,7 +243,7 @@ def polynomial(case: Expansion) -> Formula:
         if not any(factor.coefficients[:-1]):
             lines.append(f"&{head}{sp.latex(gamma ** (factor.degree * factor.multiplicity))}")
             continue
-        text = _wrapped(_powers(case, factor, gamma))
+        text = wrapped(_powers(case, factor, gamma))
         lines.append(f"&{head}\\Bigl[ {text[0].removeprefix('+ ')}")
         lines += [f"&\\qquad {t}" for t in text[1:]]
         lines[-1] += f" \\Bigr]{power}"
@@ -311,32 +252,18 @@ def polynomial(case: Expansion) -> Formula:
 
 def _powers(case: Expansion, factor: MonicFactor, gamma: sp.Symbol) -> list[str]:
     """The terms of a factor, highest power of Γ first."""
-    pieces = [f"+ {sp.latex(gamma**factor.degree)}"]
+    parts = [f"+ {sp.latex(gamma**factor.degree)}"]
     for k in range(factor.degree - 1, -1, -1):
         if not factor.coefficients[k]:
             continue
-        inner = _pieces(case.symbols(factor.coefficients[k]))
+        inner = pieces(case.symbols(factor.coefficients[k]))
         if k and len(inner) > 1:
             inner[0] = f"+ \\Bigl( {inner[0].removeprefix('+ ')}"
             inner[-1] += " \\Bigr)"
         if k:
             inner[-1] += f" {sp.latex(gamma**k)}"
-        pieces += inner
-    return pieces
-
-
-def _wrapped(pieces: Sequence[str]) -> list[str]:
-    """Pieces joined to lines."""
-    lines, used = [pieces[0]], _width(pieces[0])
-    for piece in pieces[1:]:
-        width = _width(piece)
-        if used + width > LINE:
-            lines.append(piece)
-            used = width
-        else:
-            lines[-1] += f" {piece}"
-            used += width
-    return lines
+        parts += inner
+    return parts
 
 
 def boundary(case: Expansion) -> Formula:
