@@ -28,7 +28,7 @@ from mmsgen import plotting, report
 # ## 1. Model
 #
 # A rotor of inertia $J$ turns by $\Omega t + \psi$. At the radius $R$ a point mass $m$ is hinged by
-# an arm $\rho$, which makes the angle $\varphi$ with the radius. A torque $T\cos\nu t$ acts on the
+# an arm $\rho$, which makes the angle $\phi$ with the radius. A torque $T\cos\nu t$ acts on the
 # rotor.
 #
 # A rotor that nothing holds has a zero frequency: it turns away, it does not oscillate, and no
@@ -101,7 +101,7 @@ report.equations(eom, only=[phi])
 # %% [markdown]
 # ## 2. Orders and resonances
 #
-# The pendulum is light, $b$ of order $\varepsilon^2$, and swings by $\varphi$ of order ε; then the
+# The pendulum is light, $b$ of order $\varepsilon^2$, and swings by $\phi$ of order ε; then the
 # rotor shakes by $\psi$ of order $\varepsilon^2$ under a torque of order $\varepsilon^3$, and
 # everything that matters meets at the order $\varepsilon^2$ beside the linear terms: the pendulum's
 # softening, its damping, and the reaction of the rotor. (The literature calls that order ε.)
@@ -128,14 +128,14 @@ report.solvability(cases[4], 3, only=[phi])
 # %% [markdown]
 # ## 4. The free rotor
 #
-# The limit $\omega_r \to 0$ of order 2, with $A_\varphi = \tfrac12 a e^{i\gamma}$ in the frame that
+# The limit $\omega_r \to 0$ of order 2, with $A_\phi = \tfrac12 a e^{i\gamma}$ in the frame that
 # turns with $\sigma$:
 
 # %%
 sigma = cases[2].relations[0].detuning
 A = cases[2].amplitudes[1]
 rate = sp.cancel(cases[2].slow_flow.autonomous[A].subs(omega_r, 0))
-report.expression(r"\dot{B}_\varphi", sp.expand(rate))
+report.expression(r"\dot{B}_\phi", sp.expand(rate))
 
 # %% [markdown]
 # At rest the term of the torque balances the others. The squares of their moduli give the response:

@@ -60,6 +60,9 @@ model = mg.Model.from_equations(
     ],
 )
 eom = model.equations_of_motion()
+report.parameter_table(eom.parameters)
+
+# %%
 report.equations(eom, only=[y])
 
 # %% [markdown]

@@ -66,6 +66,9 @@ model = mg.Model.from_equations(
     ],
 )
 eom = model.equations_of_motion()
+report.parameter_table(eom.parameters)
+
+# %%
 report.equations(eom)
 
 # %% [markdown]
@@ -219,7 +222,7 @@ names = {p.name for p in driven_slow[2].parameters} - {"Omega", "omega_2", "sigm
 fixed = {name: {**AT, "sigma_1": AT["omega_2"] - 3}[name] for name in names}
 
 
-def steady(frequency, settle=60, periods=8):
+def steady(frequency, settle=50, periods=4):
     """Amplitudes of the harmonics Ω of u_1 and 3Ω of u_2, once transients are gone."""
     period = 2 * np.pi / frequency
     window = np.linspace(settle * period, (settle + periods) * period, 64 * periods, endpoint=False)
@@ -244,12 +247,12 @@ def equilibrium(detuning, guess):
     return fsolve(rates, guess, xtol=1e-12)
 
 
-detunings = np.linspace(-0.06, 0.08, 71)
+detunings = np.linspace(-0.06, 0.08, 57)
 line, guess = np.empty((len(detunings), 2)), np.array([0.1, 0.0, 0.0, 0.0])
 for i, detuning in enumerate(detunings):
     guess = equilibrium(detuning, guess)
     line[i] = 2 * np.abs(guess[:2] + 1j * guess[2:])
-dots = detunings[3::13]
+dots = detunings[4::12]
 found = np.array([steady(1 + detuning) for detuning in dots])
 
 # %%
@@ -287,7 +290,7 @@ emission = mg.Emission(
     samples=samples,
     derivation="derivations/internal_resonance_1_3.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 6",
-    amplitudes=lambda case: ([0.3 + 0.4j, 0.3 + 0.2j], 0.6),
+    amplitudes=lambda case: ([0.3 + 0.4j, 0.3 + 0.2j], 0.5),
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())

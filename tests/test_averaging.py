@@ -104,6 +104,18 @@ SYSTEMS = {
     "equal, coupled": ([kappa * y + alpha * x**3, kappa * x + mu * d(y)], (1, 1)),
     "equal, through velocities": ([alpha * x * d(y), beta * y**2 - kappa * d(x)], (1, 1)),
     "two to one": ([alpha * x * y + mu * d(x), alpha * x**2 / 2 + kappa * y * d(y)], (1, 2)),
+    "two to one, driven": (
+        [mu * d(x) - alpha * x * y, kappa * d(y) - beta * x**2 - f * c2],
+        (1, 2),
+    ),
+    "two to one, the slower one driven": (
+        [-alpha * x * y - f * c1, mu * d(y) - beta * x**2],
+        (1, 2),
+    ),
+    "three to one, driven": (
+        [mu * d(x) - alpha * x**2 * y - beta * x * y**2, -kappa * x**3 - beta * y**3 - f * c3],
+        (1, 3),
+    ),
     "three to one": ([alpha * x**2 * y + beta * y**2, alpha * x**3 + kappa * x * y], (1, 3)),
     "sum combination": ([2 * alpha * c3 * y + beta * x**2, 2 * kappa * c3 * x], (1, 2)),
     "difference combination": ([2 * alpha * c1 * y, 2 * kappa * c1 * x + mu * d(y)], (2, 3)),
