@@ -14,6 +14,7 @@ import mmsgen as mg
 from mmsgen.eigenmodes import eigenmodes, modal_values, real_roots
 from mmsgen.errors import ScalingError
 from mmsgen.loading import load
+from mmsgen.sampling import scaled_values
 from mmsgen.scaling import ScaledSystem
 
 m, m_2, G = sp.symbols("m m_2 G", positive=True)
@@ -186,6 +187,27 @@ def test_frequencies_that_are_numbers_or_symbols_stay_so() -> None:
     # 1:2 exactly, so that quadratic terms resonate without being told
     terms = numeric.expand(1).solvability[1].values()
     assert all(term != 0 for term in terms)
+
+
+def test_internal_resonance_of_modes() -> None:
+    """ω_2 = 2ω_1 of two masses, quadratic: the springs are tuned to it for every ε."""
+    left = [
+        m * d(x, 2) + k * x + kappa * (x - y) + alpha * x**2,
+        m_2 * d(y, 2) + p * y + kappa * (y - x),
+    ]
+    scaled = equations(left, [x, y]).scale({alpha: 1})
+    omega_1, omega_2 = scaled.frequencies
+    values = {"k": 1.1, "p": 5.2, "kappa": 0.7, "m": 1.3, "m_2": 1.9, "alpha": 0.8, "sigma": 0.3}
+    for order in (1, 2):
+        case = scaled.expand(order, {omega_2: 2 * omega_1})
+        assert not any(case.residual().values())
+        slow, exact = scaled_values(case, values, 0.125)
+        numbers = scaled.numbers({n: v for n, v in exact.items() if not n.startswith("omega")})
+        gap = numbers["omega_2"] - 2 * numbers["omega_1"]
+        # Newton's method ends at rounding
+        assert gap == pytest.approx(0.3 / 8, abs=1e-12) and slow["sigma"] == 0.3 / 8
+        certificate = mg.certify(case, values, amplitudes=[0.4 + 0.1j, 0.3 - 0.2j], span=2.0)
+        assert certificate.fits[0].exponent == pytest.approx(order, abs=0.15)
 
 
 # --- gyroscopic -----------------------------------------------------------------------------------

@@ -23,6 +23,7 @@ from .errors import CertificateError, FloquetError, MmsgenError, UnresolvedError
 from .loading import load
 from .motion import RTOL, exact_motion, first_order_system, reconstruction, slow_motion
 from .numeric import Evaluator
+from .sampling import scaled_values
 
 if TYPE_CHECKING:
     from .expansion import Expansion
@@ -164,35 +165,6 @@ def _has_zone(case: Expansion, module: Any, values: Mapping[str, float]) -> bool
         return False
     slow = scaled_values(case, values, 1.0)[0]
     return bool(np.all(np.isfinite(case.slow_flow.boundaries(slow))))
-
-
-def scaled_values(
-    case: Expansion, values: Mapping[str, float], epsilon: float
-) -> tuple[dict[str, float], dict[str, float]]:
-    """Values at ε: those of the slow flow's parameters, and those of the exact equations.
-
-    Parameters
-    ----------
-    case : Expansion
-    values : mapping
-        Name → number at ε = 1.
-    epsilon : float
-    """
-    orders = {str(s.name): order for s, order in case.weak.scaled.orders}
-    sigmas = {str(r.detuning.name) for r in case.relations}
-    slow = {
-        name: v * epsilon ** (1 if name in sigmas else orders.get(name, 0))
-        for name, v in values.items()
-        if name not in case.weak.detuned
-    }
-    exact = {name: v for name, v in slow.items() if name not in sigmas}
-    for name, detuned in case.weak.detuned.items():
-        parts = {**detuned.resonant, **detuned.detuning}
-        missing = [k for k in parts if k != "1" and k not in slow]
-        if missing:
-            raise CertificateError(f"a value of {missing[0]} is needed to certify {name}")
-        exact[name] = sum(float(c) * (1.0 if k == "1" else slow[k]) for k, c in parts.items())
-    return slow, exact
 
 
 def predicted_exponents(case: Expansion, module: Any, slow: Mapping[str, float]) -> Any:
