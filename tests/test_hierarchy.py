@@ -46,6 +46,11 @@ def duffing() -> ScaledSystem:
     return oscillator(terms).scale({mu: 2, alpha: 2, beta: 1, f: 2})
 
 
+def test_a_frequency_of_one_is_not_written() -> None:
+    eom = oscillator(alpha * x**3, sp.Integer(1))
+    assert hierarchy(eom.scale({alpha: 1}), 0)[x][0] == "D_0^2 x_{0} + x_{0}"
+
+
 def test_forced_damped_duffing_by_hand() -> None:
     found = {p: hierarchy(duffing(), p)[x] for p in range(3)}
     assert [left for left, _ in found.values()] == [

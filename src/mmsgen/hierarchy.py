@@ -50,7 +50,8 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list
         else:
             form = weak.ring.form_polynomial(weak.ring.amplitude_frequencies[j])
             own = indexed(names[j], order)
-            left = f"D_0^2 {own} + {sp.latex(symbols.polynomial(form) ** 2)} {own}"
+            square = sp.latex(symbols.polynomial(form) ** 2)
+            left = f"D_0^2 {own} + {own if square == '1' else f'{square} {own}'}"
             terms = list(_kinematic_terms(names[j], order)) if order else []
         for factors, by_order in weak.forces[j].items():
             for s, series in by_order.items():
