@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from entries import certificates, demand_notebook, emitted
 from scipy.optimize import brentq
 
 
 @pytest.mark.pinned
-@pytest.mark.parametrize("name", ["van_der_pol"])
+@pytest.mark.parametrize(
+    "name", ["van_der_pol", "van_der_pol_forced", "rayleigh", "rayleigh_forced"]
+)
 def test_notebooks(name: str) -> None:
     demand_notebook(name)
 
 
-@pytest.mark.parametrize(("name", "number"), [("van_der_pol", 4)])
+@pytest.mark.parametrize(
+    ("name", "number"),
+    [("van_der_pol", 4), ("van_der_pol_forced", 4), ("rayleigh", 3), ("rayleigh_forced", 4)],
+)
 def test_certificates(name: str, number: int) -> None:
     found = certificates(name)
     assert len(found) == number
@@ -47,3 +53,51 @@ def test_limit_cycle_of_van_der_pol(order: int) -> None:
     # order 2 and 3 omit D_4 but take a = 2 + O(μ²) into D_2, whose slope there is not zero
     left = 1 + rate(a).imag - printed
     assert abs(left) < (1e-2 * mu**4 if order < 4 else 1e-3 * mu**6)
+
+
+def test_limit_cycle_of_rayleigh() -> None:
+    """Its velocity is van der Pol's motion: one frequency, and ωa is the other's amplitude."""
+    case = emitted("rayleigh", "nonresonant_order_4")
+    mu = 0.1
+
+    def rate(a: float) -> complex:
+        return complex(case.slow_flow([a / 2], mu=mu, omega_0=1.0)[0] / (a / 2))
+
+    a = brentq(lambda a: rate(a).real, 1.5, 2.5, xtol=1e-14)
+    omega = 1 + rate(a).imag
+    # order 4 leaves μ⁶ in the frequency, μ⁴ in the amplitude
+    assert abs(omega - (1 - mu**2 / 16 + 17 * mu**4 / 3072)) < 1e-2 * mu**6
+    assert omega * a - 2 == pytest.approx(mu**2 / 64, abs=mu**4 / 50)
+
+
+# --- driven ---------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["van_der_pol_forced", "rayleigh_forced"])
+def test_locked_motions_in_print(name: str) -> None:
+    """ρ(1 − ρ)² + 4σ²ρ = K²/4: Nayfeh and Mook, chapter 4, for Rayleigh's oscillator.
+
+    In units of the self-excitation; ρ = ω_0²a²/4, for van der Pol's a²/4 and K/ω_0 for K.
+    """
+    case = emitted(name, "Omega_is_omega_0_order_1")
+    omega_0, mu, sigma, rho = 1.3, 0.7, 0.2, 1.1
+    unit = omega_0 if name == "van_der_pol_forced" else 1.0
+    force = 2 * np.sqrt(rho * (1 - rho) ** 2 + 4 * sigma**2 * rho)
+    a = 2 * np.sqrt(rho) * unit / omega_0
+    # sin γ and cos γ from both rates at rest, in the same units
+    angle = np.arctan2(2 * (1 - rho), -4 * sigma)
+    values = {"omega_0": omega_0, "mu": mu, "K": mu * unit * force, "sigma": mu * sigma}
+    assert abs(case.slow_flow([a / 2 * np.exp(1j * angle)], **values)[0]) < 1e-14  # rounding
+
+
+@pytest.mark.parametrize(("name", "power"), [("van_der_pol_forced", 0), ("rayleigh_forced", 2)])
+def test_quenching(name: str, power: int) -> None:
+    """η = 1 − Ω^p K²/2(ω_0² − Ω²)² is the growth that is left of small oscillations, over μ/2."""
+    case = emitted(name, "nonresonant_order_1")
+    for force in (0.5, 6.1):
+        eta = 1 - 2.3**power * force**2 / (2 * (1.3**2 - 2.3**2) ** 2)
+        values = {"omega_0": 1.3, "mu": 0.7, "Omega": 2.3, "K": force}
+        small = 1e-9
+        growth = case.slow_flow([small], **values)[0] / small
+        assert growth == pytest.approx(0.35 * eta, rel=1e-13)  # rounding
+        assert (eta < 0) is (force > 6)

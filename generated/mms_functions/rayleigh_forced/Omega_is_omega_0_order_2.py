@@ -1,0 +1,119 @@
+# Emitted by mmsgen 0.1.0 from derivations/rayleigh_forced.py: change that, not this file.
+# Made from sha256 eb36ab3dceb77176c5967b58c506ff60893aea8a38996f5ee66a71d96156168a
+# Operations for each point: slow_flow 46
+"""rayleigh_forced: Omega = omega_0 + sigma, order 2.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 2 in ε, of u. Results are written at ε = 1.
+
+Stability depends: the slow flow is nonlinear or forced: its equilibria decide.
+
+No boundaries are emitted: the slow flow is nonlinear or forced.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .._runtime import checked, checked_amplitudes, evaluate_array
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "slow_flow",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("Omega = omega_0 + sigma",)
+
+#: the highest power of ε
+ORDER = 2
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("u",)
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, Omega = omega_0 + sigma"),
+    "omega_0": ("positive", "rad/s", "natural frequency"),
+    "mu": ("positive", "1/s", "strength of the self-excitation, which turns at 1 m/s"),
+    "K": ("positive", "m/s^2", "amplitude of the force over the mass"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "u": {"sigma": 1},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ()
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _slow_flow(out, A_u, sigma, omega_0, mu, K):
+    # Intermediates
+    x0 = A_u * A_u
+    x1 = mu * x0
+    x2 = np.conj(A_u)
+    x3 = 1 / 8 * mu
+    x4 = omega_0 * omega_0
+    x5 = x2 * x2
+    x6 = A_u * x0
+    x7 = mu * mu
+    x8 = omega_0 * x4
+    # Outputs
+    out[..., 0] = (
+        A_u * K * x2 * x3 + A_u * mu * (1 / 2 * omega_0 - 1j * x3) / omega_0 + 3 / 16 * K * x1
+        + K * (1j * (1 / 8 * sigma - 1 / 4 * omega_0) - 1 / 16 * mu) / x4
+        + 1 / 16 * 1j * x5 * x6 * x7 * x8 - 1j * A_u * sigma - 1 / 2 * x1 * x2 * x4
+    )
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Natural frequency, rad/s, > 0.
+    mu : array_like
+        Strength of the self-excitation, which turns at 1 m/s, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, mu=mu, K=K)
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
