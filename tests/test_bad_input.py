@@ -144,3 +144,10 @@ def test_a_value_for_each_parameter_that_is_needed() -> None:
             assert "omega_2" in str(error) and "no value is given" in str(error)
         else:
             raise AssertionError("a missing value passed")
+
+
+def test_an_order_for_which_nothing_is_left() -> None:
+    scaled = oscillator(alpha * x**3).scale({alpha: 2})
+    with pytest.raises(ExpansionError, match=r"order from 1 to 1 in ε.*ask for a higher order"):
+        scaled.expand(1)
+    assert any(scaled.expand(2).solvability[2].values())

@@ -29,6 +29,7 @@ from .errors import (
     ScalingError,
 )
 from .expansion import Expansion
+from .fourier import FourierSeries, fourier_series
 from .model import Model
 from .parameters import Parameter
 from .resonance import Resonance
@@ -56,6 +57,7 @@ __all__ = [
     "Expansion",
     "ExpansionError",
     "FloquetError",
+    "FourierSeries",
     "MmsgenError",
     "Model",
     "ModelError",
@@ -71,6 +73,7 @@ __all__ = [
     "conventions",
     "epsilon",
     "floquet",
+    "fourier_series",
     "generate",
     "publish",
 ]

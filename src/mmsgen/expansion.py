@@ -201,10 +201,16 @@ def expand(weak: WeakSystem) -> Expansion:
     Raises
     ------
     ExpansionError
-        If hard forcing drives a coordinate at its natural frequency.
+        If hard forcing drives a coordinate at its natural frequency, or no term of the equations
+        is of an order that is asked for.
     ResonanceError
         If a relation makes no term resonate up to the order.
     """
+    if not any(weak.forces):
+        raise ExpansionError(
+            f"no term of the equations is of an order from 1 to {weak.order} in ε, so that nothing "
+            "is left to expand: scale a parameter or the amplitudes, or ask for a higher order"
+        )
     solver = Solver(weak)
     solver.solve_order_zero()
     for p in range(1, weak.order + 1):
