@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 
+import pytest
 import sympy as sp
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
@@ -27,7 +28,7 @@ from systems import (
     y,
 )
 
-from mmsgen.errors import MmsgenError
+from mmsgen.errors import ExpansionError, MmsgenError
 
 LEAVES = [x, y, d(x), d(y), d(x, 2), alpha, kappa, p, theta, omega_1, Omega * t, t, sp.pi]
 LEAVES += [sp.Integer(n) for n in (-2, -1, 0, 1, 2, 3)] + [sp.Rational(1, 2), sp.Rational(-2, 3)]
