@@ -10,7 +10,7 @@ import pytest
 import sympy as sp
 from entries import certificates, demand_notebook, emitted
 from scipy.special import mathieu_a, mathieu_b
-from systems import Omega, d, equations, omega, t, x
+from systems import Omega, d, equations, mu, omega, oscillator, t, x
 
 q = sp.Symbol("q", positive=True)
 MODULES = {1: "omega_is_Omega_over_2", 2: "omega_is_Omega", 3: "omega_is_three_Omega_over_2"}
@@ -91,3 +91,16 @@ def test_the_curve_around_zero_at_order_six() -> None:
         assert sp.expand(composed) == value**2
     assert series.subs(z, 0).coeff(q, 6) == -sp.Rational(29, 2304)
     assert Omega not in case.weak.scaled.frequencies
+
+
+def test_reason_of_a_zone_that_opens_beyond_the_leading_order() -> None:
+    """Γ² + σ²/4 has no positive discriminant: the coupling is of order 2."""
+    plain = oscillator(2 * q * sp.cos(Omega * t) * x).scale({q: 1})
+    first = plain.expand(2, {Omega: 2 * omega}).slow_flow.stability
+    second = plain.expand(2, {Omega: omega}).slow_flow.stability
+    word = "is positive in an interval of the detuning"
+    assert first.reason.startswith("the discriminant of Gamma**2 + ")
+    assert second.reason == f"the discriminant of a factor of degree 2 in Gamma {word}"
+    lossy = oscillator(2 * mu * d(x) + 2 * q * sp.cos(Omega * t) * x).scale({q: 1, mu: 2})
+    damped = lossy.expand(2, {Omega: omega}).slow_flow.stability
+    assert damped.reason.startswith("a factor of degree 2 in Gamma is damped, and unstable near ")

@@ -234,7 +234,7 @@ class _Judge:
 
     def _conservative(self, factor: MonicFactor) -> FactorVerdict:
         discriminant = _discriminant(factor)
-        name = "the discriminant of {0}"
+        name = f"the discriminant of {self._name(factor, discriminant)}"
         shown: tuple[sp.Expr, ...] = (self._shown(factor),)
         if not discriminant:
             return FactorVerdict(
@@ -271,12 +271,13 @@ class _Judge:
     def _dissipative(self, factor: MonicFactor) -> FactorVerdict:
         c, b, _ = factor.coefficients
         br, bi, cr, ci = _real(b), _imaginary(b), _real(c), _imaginary(c)
-        statement, shown = "{0} is damped", [self._shown(factor)]
+        shown = [self._shown(factor)]
         if br and sign(self._leading(br), self.nonnegative) == -1:
             statement = "{0} has negative damping on the whole"
             return FactorVerdict(factor, "dissipative", (), True, statement, tuple(shown))
         value = self._without_common_damping(ci * ci - br * br * cr - br * bi * ci)
         criterion = self._by_detuning(value)
+        statement = f"{self._name(factor, value)} is damped"
         if self._far_from_resonance(criterion) == 1:
             statement += " on the whole, but one of its modes grows far from resonance"
             return FactorVerdict(factor, "dissipative", criterion, True, statement, tuple(shown))
@@ -310,6 +311,12 @@ class _Judge:
         if len(criterion) < 3:
             return None
         return sign(self._leading(criterion[2]), self.nonnegative)
+
+    def _name(self, factor: MonicFactor, value: Coefficient) -> str:
+        """How a factor is called: by its leading order, unless the argument lies beyond that."""
+        parts = self._by_detuning(self._leading(value))
+        beyond = len(parts) > 1 and not any(parts[:-1])
+        return f"a factor of degree {factor.degree} in Gamma" if beyond else "{0}"
 
     def _shown(self, factor: MonicFactor) -> sp.Expr:
         """The factor to leading order, which carries the argument."""

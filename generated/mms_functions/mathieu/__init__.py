@@ -98,7 +98,7 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x",),
         "unstable": None,
         "reason": (
-            "Gamma**2 + 2*Gamma*mu + sigma**2 is damped, and unstable near resonance if "
+            "a factor of degree 2 in Gamma is damped, and unstable near resonance if "
             "-16*(2*Omega**3*mu - q**2)*(2*Omega**3*mu + q**2)/Omega**6 > 0"
         ),
         "functions": (
@@ -117,7 +117,7 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x",),
         "unstable": None,
         "reason": (
-            "Gamma**2 + 2*Gamma*mu + sigma**2 is damped, and unstable near resonance if "
+            "a factor of degree 2 in Gamma is damped, and unstable near resonance if "
             "-16*(2*Omega**3*mu - q**2)*(2*Omega**3*mu + q**2)/Omega**6 > 0"
         ),
         "functions": (
@@ -136,7 +136,7 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x",),
         "unstable": None,
         "reason": (
-            "Gamma**2 + 2*Gamma*mu + sigma**2 is damped, and unstable near resonance if "
+            "a factor of degree 2 in Gamma is damped, and unstable near resonance if "
             "-4*(12*Omega**5*mu - q**3)*(12*Omega**5*mu + q**3)/(9*Omega**10) > 0"
         ),
         "functions": (
@@ -155,7 +155,7 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x",),
         "unstable": None,
         "reason": (
-            "Gamma**2 + 2*Gamma*mu + sigma**2 is damped, and unstable near resonance if "
+            "a factor of degree 2 in Gamma is damped, and unstable near resonance if "
             "-4*(12*Omega**5*mu - q**3)*(12*Omega**5*mu + q**3)/(9*Omega**10) > 0"
         ),
         "functions": (

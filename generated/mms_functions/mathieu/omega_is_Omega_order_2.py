@@ -7,7 +7,7 @@
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
 scales through order 2 in ε, of x. Results are written at ε = 1.
 
-Stability depends: Gamma**2 + 2*Gamma*mu + sigma**2 is damped, and unstable near resonance if
+Stability depends: a factor of degree 2 in Gamma is damped, and unstable near resonance if
 -16*(2*Omega**3*mu - q**2)*(2*Omega**3*mu + q**2)/Omega**6 > 0.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; NIST DLMF, section 28.6
