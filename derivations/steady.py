@@ -174,3 +174,44 @@ def exact_amplitude(
 
     period = 2 * np.pi * periods / exact["Omega"]
     return harmonic(periodic_motion(case.weak.scaled.eom, exact, period, guess), number)
+
+
+def exact_growth(
+    case: Expansion, values: Mapping[str, float], guess: Callable[[Any], Any], points: int = 33
+) -> float:
+    """The largest growth rate of disturbances of the exact motion of the force's own period.
+
+    The variational equation is solved by collocation too: e^{λt} times a periodic function, the
+    exponents λ from the eigenvalues of its companion matrix.
+
+    Parameters
+    ----------
+    case : Expansion
+    values : mapping
+        Name → number, of the slow flow's parameters and detunings.
+    guess : callable
+        Times → values of the periodic motion, roughly.
+    points : int
+        Over one period.
+    """
+    eom = case.weak.scaled.eom
+    _, exact = scaled_values(case, values, 1.0)
+    period = 2 * np.pi / exact["Omega"]
+    motion = periodic_motion(eom, exact, period, guess, points)
+    (q,), (equation,), t = eom.coordinates, eom.equations, eom.time
+    state = sp.symbols("u v w")
+    motions = (q.diff(t, 2), q.diff(t), q)
+    plain = equation.subs(dict(zip(motions, reversed(state), strict=True)))
+    plain = plain.subs({p.symbol: exact[p.name] for p in eom.parameters if p.name in exact})
+    slopes = sp.lambdify([t, *state], [plain.diff(s) for s in state], "numpy")
+    first, one = collocation(points, period), np.eye(points)
+    times = period * np.arange(points) / points
+    stiff, damp, mass = (
+        np.broadcast_to(s, motion.shape)[:, None]
+        for s in slopes(times, motion, first @ motion, first @ first @ motion)
+    )
+    # (d/dt + λ)(x, y) = (y, −(stiff x + damp y)/mass) for periodic x and y.
+    companion = np.block([[-first, one], [-stiff / mass * one, -damp / mass * one - first]])
+    exponents = np.linalg.eigvals(companion)
+    inner = exponents[np.abs(exponents.imag) <= 1.01 * np.pi / period]
+    return float(inner.real.max())

@@ -8,11 +8,15 @@ import pytest
 import steady
 import sympy as sp
 from entries import certificates, demand_notebook, emitted
-from systems import Omega, d, f, mu, oscillator, t, x
+from systems import Omega, beta, d, f, mu, omega, oscillator, t, x
+
+from mmsgen.certify import scaled_values
 
 
 @pytest.mark.pinned
-@pytest.mark.parametrize("name", ["duffing", "helmholtz_duffing", "duffing_forced"])
+@pytest.mark.parametrize(
+    "name", ["duffing", "helmholtz_duffing", "duffing_forced", "helmholtz_duffing_forced"]
+)
 def test_notebooks(name: str) -> None:
     demand_notebook(name)
 
@@ -54,7 +58,8 @@ def test_certificates_of_the_other_oscillators() -> None:
     found = certificates("helmholtz_duffing")
     assert sorted(found) == ["nonresonant_order_2", "nonresonant_order_4"]
     found |= (forced := certificates("duffing_forced"))
-    assert len(forced) == 6
+    found |= (quadratic := certificates("helmholtz_duffing_forced"))
+    assert len(forced) == 6 and len(quadratic) == 4
     for data in found.values():
         (fit,) = data["fits"]
         assert fit["theory"] == data["order"]
@@ -117,3 +122,39 @@ def test_collocation_finds_the_exact_motion_of_a_linear_oscillator() -> None:
     # rounding, times the condition of second derivatives over 65 points
     assert steady.harmonic(motion, 1) == pytest.approx(size, rel=1e-11)
     assert steady.harmonic(motion, 2) < 1e-11
+
+
+def test_printed_relations_of_the_quadratic_term() -> None:
+    """Nayfeh and Mook, chapter 4: a = α_2Λ²/(ω_0√(μ² + σ²)), and |σ| < 2√(α_2²Λ²/ω_0² − μ²)."""
+    values = {"omega_0": 1.3, "alpha_2": 0.9, "mu": 0.03, "K": 1.1}
+    drift = 2 * 1.1 / (3 * 1.3**2)  # Λ at Ω = ω_0/2
+    a = 0.9 * drift**2 / (1.3 * np.hypot(0.03, 0.2))
+    case = emitted("helmholtz_duffing_forced", "two_Omega_is_omega_0_order_1")
+    angle = np.arctan2(0.03, 0.2)  # α_2Λ² e^{−iγ}/ω_0 = a(σ − iμ)
+    rate = case.slow_flow([a / 2 * np.exp(1j * angle)], sigma=0.2, **values)
+    assert abs(rate[0]) < 1e-14  # rounding
+    case = emitted("helmholtz_duffing_forced", "Omega_is_two_omega_0_order_1")
+    drift = 1.1 / (6 * 1.3**2)
+    edge = 2 * np.sqrt((0.9 * drift / 1.3) ** 2 - 0.03**2)
+    np.testing.assert_allclose(case.boundaries(**values), [-edge, edge], rtol=1e-13)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_growth_of_the_subharmonic_about_the_exact_motion(order: int) -> None:
+    """Halving ε divides the error of the growth rate by 2^{N+1}, up to a tenth of that."""
+    left = beta * x**2 + 2 * mu * d(x) - f * sp.cos(Omega * t)
+    scaled = oscillator(left).scale({beta: 1, mu: 1})
+    case = scaled.expand(order, {Omega: 2 * omega})
+    values = {"omega": 1.0, "beta": 2.9, "mu": 0.05, "f": 1.3, "sigma": 0.2}
+    errors = []
+    for epsilon in (1 / 128, 1 / 256):
+        slow, exact = scaled_values(case, values, epsilon)
+        size = 1.3 / (1 - exact["Omega"] ** 2)
+        speed = exact["Omega"]
+        grown = steady.exact_growth(case, slow, lambda s, z=size, w=speed: z * np.cos(w * s))
+        table = {p.symbol: slow[p.name] for p in case.parameters if p.name in slow}
+        flow = case.slow_flow
+        jacobian = flow.jacobian.subs(dict.fromkeys(flow.cartesian, 0)).subs(table)
+        predicted = np.linalg.eigvals(np.array(jacobian, dtype=float)).real.max()
+        errors.append(abs(predicted - grown))
+    assert errors[0] / errors[1] == pytest.approx(2 ** (order + 1), rel=0.1)

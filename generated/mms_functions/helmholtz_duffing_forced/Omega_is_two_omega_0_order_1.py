@@ -1,0 +1,361 @@
+# Emitted by mmsgen 0.1.0 from derivations/helmholtz_duffing_forced.py: change that, not this file.
+# Made from sha256 ae5cc2e8103290d736758e3d2c12514eaa0e889a7cddd172905ea7349b71dcd5
+# Operations for each point: growth_rate 15, boundaries 13, resonance 1, slow_flow_matrix 7,
+# characteristic_coefficients 15, slow_flow 15
+"""helmholtz_duffing_forced: Omega = 2*omega_0 + sigma, order 1.
+
+Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
+scales through order 1 in ε, of u. Results are written at ε = 1.
+
+Stability depends: Gamma**2 + 2*Gamma*mu + (-K**2*alpha_2**2/36 + mu**2*omega_0**6 +
+omega_0**6*sigma**2/4)/omega_0**6 is damped, and unstable near resonance if -4*(-K*alpha_2 +
+6*mu*omega_0**3)*(K*alpha_2 + 6*mu*omega_0**3)/(9*omega_0**6) > 0.
+
+Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .._edges import explicit_edges
+from .._runtime import (
+    checked,
+    checked_amplitudes,
+    evaluate,
+    evaluate_array,
+    evaluate_pair,
+    multiply_out,
+    quadratic_growth,
+)
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "COORDINATES",
+    "FRAME",
+    "ORDER",
+    "PARAMETERS",
+    "RELATIONS",
+    "VARIABLES",
+    "boundaries",
+    "characteristic_coefficients",
+    "critical_speeds",
+    "growth_rate",
+    "slow_flow",
+    "slow_flow_matrix",
+]
+
+#: the resonance relations, with their detunings
+RELATIONS: tuple[str, ...] = ("Omega = 2*omega_0 + sigma",)
+
+#: the highest power of ε
+ORDER = 1
+
+#: the coordinates, in the order of amplitudes
+COORDINATES = ("u",)
+
+#: name -> (domain, unit, meaning)
+PARAMETERS = {
+    "sigma": ("real", "rad/s", "detuning, Omega = 2*omega_0 + sigma"),
+    "omega_0": ("positive", "rad/s", "frequency of small oscillations"),
+    "alpha_2": ("positive", "1/(m s^2)", "quadratic stiffness over the mass"),
+    "mu": ("positive", "1/s", "half the damping over the mass"),
+    "K": ("positive", "m/s^2", "amplitude of the force over the mass"),
+}
+
+#: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
+FRAME: dict[str, dict[str, float]] | None = {
+    "u": {"sigma": 1 / 2},
+}
+
+#: rows and columns of the slow-flow matrix; conj(A) is the complex conjugate of A
+VARIABLES: tuple[str, ...] = ("A_u", "conj(A_u)")
+
+
+# --- formulas -------------------------------------------------------------------------------------
+
+
+def _growth_rate(sigma, omega_0, alpha_2, mu, K):
+    # Intermediates
+    x0 = mu * mu
+    x1 = sigma * sigma
+    x2 = K * K
+    x3 = alpha_2 * alpha_2
+    x4 = omega_0 * omega_0
+    x5 = x4 * x4
+    x6 = x4 * x5
+    # Outputs
+    b_1 = 2 * mu
+    c_1 = x0 + 1 / 4 * x1 - x2 * x3 / (36 * x6)
+    return quadratic_growth(b_1, c_1)
+
+
+def _boundaries(omega_0, alpha_2, mu, K):
+    # Intermediates
+    x0 = K * alpha_2
+    x1 = omega_0 * omega_0
+    x2 = omega_0 * x1
+    x3 = 6 * mu * x2
+    x4 = np.sqrt(x0 - x3)
+    x5 = np.sqrt(x0 + x3)
+    x6 = x4 * x5 / (3 * x2)
+    # Outputs
+    lower = -x6
+    upper = x6
+    return lower, upper
+
+
+def _resonance(omega_0, alpha_2, mu, K):
+    centre = 2 * omega_0
+    return centre, omega_0, alpha_2, mu, K
+
+
+def _slow_flow_matrix(out, sigma, omega_0, alpha_2, mu, K):
+    # Intermediates
+    x0 = -mu
+    x1 = 1 / 2 * sigma
+    x2 = omega_0 * omega_0
+    x3 = omega_0 * x2
+    x4 = K * alpha_2 / (6 * x3)
+    # Outputs
+    out[..., 0, 0].real = x0
+    out[..., 0, 0].imag = -x1
+    out[..., 0, 1].imag = -x4
+    out[..., 1, 0].imag = x4
+    out[..., 1, 1].real = x0
+    out[..., 1, 1].imag = x1
+
+
+def _characteristic_coefficients(out, sigma, omega_0, alpha_2, mu, K):
+    # Intermediates
+    x0 = mu * mu
+    x1 = sigma * sigma
+    x2 = K * K
+    x3 = alpha_2 * alpha_2
+    x4 = omega_0 * omega_0
+    x5 = x4 * x4
+    x6 = x4 * x5
+    # Outputs
+    c1_1 = 2 * mu
+    c1_0 = x0 + 1 / 4 * x1 - x2 * x3 / (36 * x6)
+    multiply_out(out, ((c1_1, c1_0), 1))
+
+
+def _slow_flow(out, A_u, sigma, omega_0, alpha_2, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = omega_0 * x0
+    # Outputs
+    out[..., 0] = -A_u * mu - 1 / 2 * 1j * A_u * sigma - 1j * K * alpha_2 * np.conj(A_u) / (6 * x1)
+
+
+# --- functions ------------------------------------------------------------------------------------
+
+
+def growth_rate(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> Any:
+    """Growth rate of the fastest mode: the largest real part of Γ.
+
+    The larger real part of the roots of Γ² + bΓ + c, each of them found without cancellation.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    float64
+        In 1/s, float64, in the shape to which the arguments broadcast.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable interval of sigma.
+
+    In closed form, expanded in the small parameters to the order of this case.
+
+    Parameters
+    ----------
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return evaluate_pair(_boundaries, arguments)
+
+
+def critical_speeds(
+    *, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in Omega.
+
+    Where Omega = 2*omega_0 + sigma lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
+
+
+def slow_flow_matrix(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """The matrix S of the slow flow dB/dt = S B in the frame that makes it autonomous.
+
+    Rows and columns in the order of VARIABLES.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2, 2), complex128, in 1/s.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return evaluate_array(_slow_flow_matrix, arguments, (2, 2))
+
+
+def characteristic_coefficients(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Coefficients of the characteristic polynomial P(Γ) = det(Γ - S).
+
+    The product of its factors over the rationals.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 3), complex128, highest power of Γ first, beginning with 1.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return evaluate_array(_characteristic_coefficients, arguments, (3,))
+
+
+def slow_flow(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike,
+    mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Right-hand side of the modulation equations: the time derivative of amplitudes.
+
+    In the frame A_j = B_j exp(i λ_j t) that makes the slow flow autonomous, λ in FRAME.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes per second.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
