@@ -222,6 +222,13 @@ def test_a_shifted_polynomial_is_the_polynomial(root: int, factor: list[int]) ->
         (lambda: double_well().about({x: x}), ["equilibrium of x(t)", "not constant"]),
         (lambda: double_well().about([0]), ["mapping coordinate -> value"]),  # type: ignore[arg-type]
         (lambda: double_well().about({x: 0}, eliminate={"p": 1}), ["p is no parameter"]),
+        (lambda: double_well().about({x: 0}, eliminate=[k]), ["mapping parameter -> expression"]),  # type: ignore[arg-type]
+        (
+            lambda: double_well().about(
+                {x: 0}, eliminate={k: 1 / (sp.sin(theta_0) ** 2 + sp.cos(theta_0) ** 2 - 1)}
+            ),
+            ["denominator in eliminate"],
+        ),
         (lambda: hoop().about({theta: theta_0}), ["theta_0", "the force", "sin(2*theta_0)"]),
         (
             lambda: hoop().about({theta: theta_0}, eliminate={g: R * Omega**2 * sp.cos(theta_0)}),

@@ -186,15 +186,21 @@ class Algebra:
         ZeroDivisionError
             If a denominator is zero in this algebra.
         """
+        return self._reduced(expr, free=True)
+
+    def _reduced(self, expr: sp.Expr, free: bool) -> sp.Expr:
         value = self._values[expr]
         for root in reversed(self.roots):
-            value = _reduced(value, root)
-        return sp.cancel(value)
+            value = _reduced(value, root, free)
+        value = sp.cancel(value)
+        if value.has(sp.zoo, sp.nan):
+            raise ZeroDivisionError("a denominator is zero")
+        return value
 
     def vanishes(self, expr: sp.Expr) -> bool | None:
         """Whether one of the expressions is zero for all parameters; None where undecided."""
         try:
-            value = self.reduced(expr)
+            value = self._reduced(expr, free=False)  # for zero, the numerator is enough
         except ZeroDivisionError:
             return None
         if value == 0:
@@ -265,8 +271,8 @@ def _steps(expressions: Sequence[sp.Expr]) -> dict[sp.Expr, Fraction]:
     return steps
 
 
-def _reduced(value: sp.Expr, root: Root) -> sp.Expr:
-    """Lower the powers of one root below its degree, and free the denominator of it."""
+def _reduced(value: sp.Expr, root: Root, free: bool) -> sp.Expr:
+    """Lower the powers of one root below its degree, and free the denominator of it if asked to."""
     y = root.symbol
     if not value.has(y):
         return value
@@ -278,7 +284,7 @@ def _reduced(value: sp.Expr, root: Root) -> sp.Expr:
     under = under.rem(relation)
     if under.is_zero:
         raise ZeroDivisionError(f"a denominator is zero because of {y}")
-    if under.degree() > 0:
+    if free and under.degree() > 0:
         try:
             over, under = over * under.invert(relation), sp.Poly(1, y)
         except NotInvertible:

@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
-from .equilibrium import Equilibrium, about, equilibria
+from .equilibrium import Equilibrium, equilibria
 from .errors import ModelError
 from .linearisation import LinearPart, linear_part
 from .parameters import Parameter
 from .reparametrisation import reparametrised
+from .shifting import about
 from .terms import assemble, collect, motion
 from .validation import (
     TIME,
