@@ -19,6 +19,7 @@ from systems import (
     Omega,
     alpha,
     beta,
+    coupled_mathieu,
     d,
     duffing,
     f,
@@ -26,6 +27,8 @@ from systems import (
     mathieu,
     mu,
     omega,
+    omega_1,
+    omega_2,
     oscillator,
     pair,
     sigma,
@@ -354,6 +357,12 @@ FLOW = {1: {A: sp.I * A}, 2: {A: A**2 * Ac}}
         (lambda: cv.displacement(mathieu().expand(2)), "motion of .* is excited"),
         (lambda: cv.displacement(duffing().expand(2), sp.pi / 3), "does not turn"),
         (lambda: cv.detuned(mathieu().expand(1), omega, new), "omega is in no relation"),
+        (
+            lambda: cv.detuned(
+                coupled_mathieu().expand(1, {Omega: 2 * omega_1, omega_2: omega_1}), omega_1, new
+            ),
+            "omega_1 is in several relations",
+        ),
         (
             lambda: cv.detuned(mathieu().expand(1, {Omega: 2 * omega}), omega, new, 0),
             "exponent must be a whole number",

@@ -185,9 +185,9 @@ class Amplitudes:
                 turns = {e: sp.Dummy() for e in read[a].atoms(sp.exp) if e.has(sp.I)}
                 if TIME in read[a].xreplace(turns).free_symbols:
                     raise ConventionError(f"{where} of {a} holds time other than in exp(I*sigma*t)")
-                if strange := read[a].atoms(sp.conjugate):
+                if strange := sorted(read[a].atoms(sp.conjugate), key=sp.default_sort_key):
                     raise ConventionError(
-                        f"{where} of {a} holds {strange.pop()}: all but amplitudes must be real"
+                        f"{where} of {a} holds {strange[0]}: all but amplitudes must be real"
                     )
             result[int(p)] = {**read, **self.bars(read)}
         return dict(sorted(result.items()))
