@@ -9,6 +9,7 @@ faster than any power of the number of points. Nothing of the expansion enters b
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,23 @@ from mmsgen.symbols import modulus, phase
 
 STEPS = 12
 """Newton steps at most; five are usual, and wandering finds some other motion."""
+
+
+_COMPILED: dict[tuple[str, int], tuple[Any, Callable[..., Any]]] = {}
+"""Functions by purpose and record; the record is kept, so that its number stays its own."""
+
+
+def compiled(purpose: str, record: Any, make: Callable[[], Callable[..., Any]]) -> Any:
+    """A function made once for a record."""
+    key = purpose, id(record)
+    if key not in _COMPILED:
+        _COMPILED[key] = record, make()
+    return _COMPILED[key][1]
+
+
+def numbers_of(record: Any, values: Mapping[str, float]) -> list[float]:
+    """The values of a record's parameters in their order, nan for those that are not given."""
+    return [values.get(p.name, np.nan) for p in record.parameters]
 
 
 def forms(case: Expansion, multiple: int) -> tuple[tuple[sp.Expr, ...], ...]:
@@ -71,16 +89,27 @@ def determinant(case: Expansion, multiple: int = 1) -> sp.Expr:
     return sp.cancel(sp.Matrix(rows).det())
 
 
+def at_numbers(
+    case: Expansion, values: Mapping[str, float], detunings: Any, sizes: Any, multiple: int
+) -> Any:
+    """`forms` and their slopes over the amplitude, at numbers and arrays."""
+    (q,), (relation,) = case.coordinates, case.relations
+
+    def make() -> Callable[..., Any]:
+        rows = forms(case, multiple)
+        slopes = [[e.diff(modulus(q)) for e in row] for row in rows]
+        symbols = [p.symbol for p in case.parameters]
+        return sp.lambdify([symbols, modulus(q)], [rows, slopes], "numpy", cse=True)
+
+    given = numbers_of(case, {**values, str(relation.detuning): detunings})
+    return compiled(f"forms {multiple}", case, make)(given, sizes)
+
+
 def level(
     case: Expansion, values: Mapping[str, float], detunings: Any, sizes: Any, multiple: int = 1
 ) -> tuple[Any, Any]:
     """`response` and `determinant` at numbers, over arrays of the detuning and the amplitude."""
-    (q,), (relation,) = case.coordinates, case.relations
-    table = {p.symbol: values[p.name] for p in case.parameters if p.name in values}
-    rows = [[e.subs(table) for e in form] for form in forms(case, multiple)]
-    slopes = [[e.diff(modulus(q)) for e in row] for row in rows]
-    function = sp.lambdify([relation.detuning, modulus(q)], [rows, slopes], "numpy")
-    ((s1, c1, k1), (s2, c2, k2)), by_size = function(detunings, sizes)
+    ((s1, c1, k1), (s2, c2, k2)), by_size = at_numbers(case, values, detunings, sizes, multiple)
     area = s1 * c2 - s2 * c1
     s, c = (c1 * k2 - c2 * k1) / area, (s2 * k1 - s1 * k2) / area
     (x1, x2) = (p * s + r * c + k for p, r, k in by_size)
@@ -89,19 +118,24 @@ def level(
 
 def on_curve(case: Expansion, values: Mapping[str, float], a: float, multiple: int = 1) -> complex:
     """B of the steady state of amplitude a, at numbers that lie on its response curve."""
-    (q,) = case.coordinates
-    table = {p.symbol: values[p.name] for p in case.parameters if p.name in values}
-    pair = eliminated(case, multiple)
-    sine, cosine = (float(e.subs({modulus(q): a, **table})) for e in pair)
-    return complex(a / 2 * np.exp(1j * np.arctan2(sine, cosine) / multiple))
+    sigma = values[str(case.relations[0].detuning)]
+    ((s1, c1, k1), (s2, c2, k2)), _ = at_numbers(case, values, sigma, a, multiple)
+    area = s1 * c2 - s2 * c1
+    angle = np.arctan2((c1 * k2 - c2 * k1) / area, (s2 * k1 - s1 * k2) / area)
+    return complex(a / 2 * np.exp(1j * angle / multiple))
 
 
 def equilibrium(case: Expansion, values: Mapping[str, float], guess: complex) -> complex:
     """B of a steady state of the slow flow near a guess, at numbers."""
-    flow = case.slow_flow.cartesian
-    table = {p.symbol: values[p.name] for p in case.parameters if p.name in values}
-    rates = sp.lambdify([list(flow)], [e.subs(table) for e in flow.values()], "numpy")
-    found = root(rates, [2 * guess.real, 2 * guess.imag], tol=1e-13)
+
+    def make() -> Callable[..., Any]:
+        flow = case.slow_flow.cartesian
+        symbols = [p.symbol for p in case.parameters]
+        return sp.lambdify([list(flow), symbols], list(flow.values()), "numpy", cse=True)
+
+    rates = compiled("rates", case, make)
+    given = numbers_of(case, values)
+    found = root(rates, [2 * guess.real, 2 * guess.imag], args=(given,), tol=1e-13)
     assert np.abs(found.fun).max() < 1e-10, found.message
     return complex(*found.x) / 2
 
@@ -115,6 +149,20 @@ def collocation(n: int, period: float) -> NDArray[np.float64]:
     return np.pi / period * matrix
 
 
+def left_side(eom: EquationsOfMotion, values: Mapping[str, float]) -> Callable[..., Any]:
+    """The left side of the equation of one coordinate, with its slopes over u, u' and u''."""
+
+    def make() -> Callable[..., Any]:
+        (q,), (equation,), t = eom.coordinates, eom.equations, eom.time
+        state = sp.symbols("u v w")
+        motions = (q.diff(t, 2), q.diff(t), q)
+        plain = equation.subs(dict(zip(motions, reversed(state), strict=True)))
+        parts = [plain, *(plain.diff(s) for s in state)]
+        return sp.lambdify([[p.symbol for p in eom.parameters], t, *state], parts, "numpy")
+
+    return partial(compiled("left side", eom, make), numbers_of(eom, values))
+
+
 def periodic_motion(
     eom: EquationsOfMotion,
     values: Mapping[str, float],
@@ -123,13 +171,7 @@ def periodic_motion(
     points: int = 65,
 ) -> NDArray[np.float64]:
     """Values over one period of a motion of one coordinate; nan if none is near the guess."""
-    (q,), (equation,), t = eom.coordinates, eom.equations, eom.time
-    state = sp.symbols("u v w")
-    motions = (q.diff(t, 2), q.diff(t), q)
-    plain = equation.subs(dict(zip(motions, reversed(state), strict=True)))
-    plain = plain.subs({p.symbol: values[p.name] for p in eom.parameters if p.name in values})
-    parts = [plain, *(plain.diff(s) for s in state)]
-    function = sp.lambdify([t, *state], parts, "numpy")
+    function = left_side(eom, values)
     times = period * np.arange(points) / points
     first = collocation(points, period)
     second = first @ first
@@ -198,18 +240,11 @@ def exact_growth(
     _, exact = scaled_values(case, values, 1.0)
     period = 2 * np.pi / exact["Omega"]
     motion = periodic_motion(eom, exact, period, guess, points)
-    (q,), (equation,), t = eom.coordinates, eom.equations, eom.time
-    state = sp.symbols("u v w")
-    motions = (q.diff(t, 2), q.diff(t), q)
-    plain = equation.subs(dict(zip(motions, reversed(state), strict=True)))
-    plain = plain.subs({p.symbol: exact[p.name] for p in eom.parameters if p.name in exact})
-    slopes = sp.lambdify([t, *state], [plain.diff(s) for s in state], "numpy")
+    function = left_side(eom, exact)
     first, one = collocation(points, period), np.eye(points)
     times = period * np.arange(points) / points
-    stiff, damp, mass = (
-        np.broadcast_to(s, motion.shape)[:, None]
-        for s in slopes(times, motion, first @ motion, first @ first @ motion)
-    )
+    _, *slopes = function(times, motion, first @ motion, first @ first @ motion)
+    stiff, damp, mass = (np.broadcast_to(s, motion.shape)[:, None] for s in slopes)
     # (d/dt + λ)(x, y) = (y, −(stiff x + damp y)/mass) for periodic x and y.
     companion = np.block([[-first, one], [-stiff / mass * one, -damp / mass * one - first]])
     exponents = np.linalg.eigvals(companion)

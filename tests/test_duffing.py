@@ -11,6 +11,7 @@ from entries import certificates, demand_notebook, emitted
 from systems import Omega, beta, d, f, mu, omega, oscillator, t, x
 
 from mmsgen.certify import scaled_values
+from mmsgen.symbols import modulus
 
 
 @pytest.mark.pinned
@@ -158,3 +159,27 @@ def test_growth_of_the_subharmonic_about_the_exact_motion(order: int) -> None:
         predicted = np.linalg.eigvals(np.array(jacobian, dtype=float)).real.max()
         errors.append(abs(predicted - grown))
     assert errors[0] / errors[1] == pytest.approx(2 ** (order + 1), rel=0.1)
+
+
+def test_response_and_determinant_at_numbers_are_the_formulas() -> None:
+    left = beta * x**3 + 2 * mu * d(x) - f * sp.cos(Omega * t)
+    case = oscillator(left).scale({beta: 1, mu: 1}).expand(1, {Omega: 3 * omega})
+    values = {"omega": 1.3, "beta": 0.9, "mu": 0.07, "f": 5.1}
+    response, determinant = steady.level(case, values, 0.31, 0.77, 3)
+    table = {"omega": omega, "beta": beta, "mu": mu, "f": f}
+    there = {table[name]: number for name, number in values.items()}
+    there |= {case.relations[0].detuning: 0.31, modulus(x): 0.77}
+    # rounding of a few dozen operations
+    assert response == pytest.approx(float(steady.response(case, 3).subs(there)), rel=1e-12)
+    assert determinant == pytest.approx(float(steady.determinant(case, 3).subs(there)), rel=1e-12)
+
+
+def test_a_steady_state_on_its_curve_is_at_rest() -> None:
+    left = beta * x**3 + 2 * mu * d(x) - f * sp.cos(Omega * t)
+    case = oscillator(left).scale({beta: 1, mu: 1, f: 1}).expand(1, {Omega: omega})
+    size, values = 0.6, {"omega": 1.3, "beta": 0.9, "mu": 0.07, "f": 0.4}
+    reach = np.sqrt((0.4 / (2 * 1.3 * size)) ** 2 - 0.07**2)
+    values["sigma"] = 3 * 0.9 * size**2 / (8 * 1.3) + reach
+    found = steady.equilibrium(case, values, 1.01 * steady.on_curve(case, values, size))
+    assert abs(found - steady.on_curve(case, values, size)) < 1e-12  # rounding
+    assert 2 * abs(found) == pytest.approx(size, rel=1e-12)
