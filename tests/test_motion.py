@@ -104,3 +104,11 @@ def test_motions_that_run_away_are_refused() -> None:
 def test_accelerations_that_enter_as_squares_are_refused() -> None:
     with pytest.raises(mg.CertificateError, match="accelerations enter nonlinearly"):
         first_order_system(oscillator(alpha * d(x, 2) ** 2), {"omega": 1.0, "alpha": 1.0})
+
+
+def test_accelerations_that_do_not_follow_are_refused() -> None:
+    """Both equations hold the same combination of accelerations."""
+    left = [(1 + x**2) * (d(x, 2) + d(y, 2)) + alpha * x, d(x, 2) + d(y, 2) + beta * y]
+    derivative = first_order_system(equations(left, [x, y]), {"alpha": 0.3, "beta": 0.7})
+    with pytest.raises(mg.CertificateError, match="do not follow from the equations"):
+        derivative(0.0, np.array([0.5, -0.2, 1.1, 0.4]))

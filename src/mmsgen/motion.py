@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -107,6 +108,34 @@ def reconstruction(case: Expansion, values: Mapping[str, float]) -> Reconstructi
     return Reconstruction(tuple(terms), numbers_[: len(fast)], numbers_[len(fast) :])
 
 
+@lru_cache(maxsize=8)
+def _compiled(
+    eom: EquationsOfMotion, names: tuple[str, ...]
+) -> tuple[Callable[..., Any], Callable[..., Any], bool]:
+    """Mass matrix and right-hand sides as functions of t, q, q' and numbers, on plain numbers.
+
+    The third is whether the mass matrix changes in time or with the state.
+    """
+    t, n = eom.time, len(eom.coordinates)
+    q = [sp.Dummy(f"q{j}") for j in range(n)]
+    v = [sp.Dummy(f"v{j}") for j in range(n)]
+    w = [sp.Dummy(f"w{j}") for j in range(n)]
+    table: dict[sp.Expr, sp.Expr] = {}
+    for order, places in ((2, w), (1, v), (0, q)):
+        for x, place in zip(eom.coordinates, places, strict=True):
+            table[x.diff(t, order) if order else x] = place
+    plain = [e.subs(table) for e in eom.equations]
+    mass = sp.Matrix([[e.diff(a) for a in w] for e in plain])
+    if mass.free_symbols & set(w):
+        raise CertificateError("the accelerations enter nonlinearly: no time integration here")
+    rest = [e.subs(dict.fromkeys(w, 0)) for e in plain]
+    symbols = [p.symbol for p in eom.parameters if p.name in names]
+    # Plain numbers: several times faster here than arrays of one.
+    entries = sp.lambdify([t, q, v, symbols], list(mass), "math", cse=True)
+    right = sp.lambdify([t, q, v, symbols], [-e for e in rest], "math", cse=True)
+    return entries, right, bool(mass.free_symbols & {t, *q, *v})
+
+
 def first_order_system(
     eom: EquationsOfMotion, values: Mapping[str, float]
 ) -> Callable[[float, Any], Any]:
@@ -117,31 +146,20 @@ def first_order_system(
     CertificateError
         If accelerations enter other than linearly.
     """
-    t, n = eom.time, len(eom.coordinates)
-    q = [sp.Dummy(f"q{j}") for j in range(n)]
-    v = [sp.Dummy(f"v{j}") for j in range(n)]
-    w = [sp.Dummy(f"w{j}") for j in range(n)]
-    table: dict[sp.Expr, sp.Expr] = {}
-    for order, names in ((2, w), (1, v), (0, q)):
-        for x, name in zip(eom.coordinates, names, strict=True):
-            table[x.diff(t, order) if order else x] = name
-    plain = [e.subs(table) for e in eom.equations]
-    mass = sp.Matrix([[e.diff(a) for a in w] for e in plain])
-    if mass.free_symbols & set(w):
-        raise CertificateError("the accelerations enter nonlinearly: no time integration here")
-    rest = [e.subs(dict.fromkeys(w, 0)) for e in plain]
-    symbols = [p.symbol for p in eom.parameters if p.name in values]
-    numbers = [values[str(s.name)] for s in symbols]
-    # Plain numbers: several times faster here than arrays of one.
-    entries = sp.lambdify([t, q, v, symbols], list(mass), "math", cse=True)
-    right = sp.lambdify([t, q, v, symbols], [-e for e in rest], "math", cse=True)
-    if mass.free_symbols & {t, *q, *v}:
+    n, names = len(eom.coordinates), tuple(p.name for p in eom.parameters if p.name in values)
+    entries, right, moving = _compiled(eom, names)
+    numbers = [values[name] for name in names]
+    if moving:
+        solve = scipy.linalg.lapack.dgesv  # for two by two, the checks around it take longest
 
         def derivative(time: float, state: Any) -> Any:
             s = state.tolist()
-            matrix = np.array(entries(time, s[:n], s[n:], numbers)).reshape(n, n)
-            force = np.array(right(time, s[:n], s[n:], numbers))
-            return np.concatenate([state[n:], np.linalg.solve(matrix, force)])
+            matrix = np.array(entries(time, s[:n], s[n:], numbers), dtype=float).reshape(n, n)
+            force = right(time, s[:n], s[n:], numbers)
+            *_, acceleration, singular = solve(matrix, force)
+            if singular:
+                raise CertificateError("the accelerations do not follow from the equations")
+            return np.concatenate([state[n:], acceleration])
 
     else:
         zeros = [0.0] * n
