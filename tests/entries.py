@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import ast
 import importlib
 import json
 import re
+from functools import cache
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -60,3 +62,57 @@ def demand_notebook(name: str) -> None:
         assert plain.count("$") % 2 == 0, text
         for display, inline in re.findall(r"\$\$(.*?)\$\$|\$(.*?)\$", plain, flags=re.DOTALL):
             assert balanced(display + inline), text
+
+
+# -- the cases of a derivation ---------------------------------------------------------------------
+
+
+def names_of(node: ast.AST) -> set[str]:
+    return {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+
+
+def makes(statement: ast.stmt) -> set[str]:
+    """Names that a statement binds or changes."""
+    found = set()
+    for node in ast.walk(statement):
+        if isinstance(node, ast.FunctionDef):
+            found.add(node.name)
+        elif isinstance(node, ast.Import | ast.ImportFrom):
+            found |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            found.add(node.id)
+        elif isinstance(node, ast.Subscript) and isinstance(node.ctx, ast.Store):
+            found |= names_of(node.value)
+        elif isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute):
+            if node.func.attr in ("append", "extend", "update") and not isinstance(
+                node.func.value, ast.Call
+            ):
+                found |= names_of(node.func.value)
+    return found
+
+
+class Silent(ast.NodeTransformer):
+    """Takes out what only displays."""
+
+    def visit_Expr(self, node: ast.Expr) -> ast.stmt:
+        return node if makes(node) else ast.copy_location(ast.Pass(), node)
+
+
+@cache
+def cases_of(name: str) -> tuple[Any, ...]:
+    """The cases that a derivation emits, made by those of its statements that they follow from."""
+    path = ROOT / "derivations" / f"{name}.py"
+    tree = ast.parse(path.read_text("utf-8"))
+    calls = (n for n in ast.walk(tree) if isinstance(n, ast.Call))
+    (emission,) = (n for n in calls if ast.unparse(n.func) == "mg.Emission")
+    (cases,) = (k.value for k in emission.keywords if k.arg == "cases")
+    needed = names_of(cases)
+    kept: list[ast.stmt] = []
+    for statement in reversed([s for s in tree.body if s.lineno < emission.lineno]):
+        if makes(statement) & needed:
+            kept.append(Silent().visit(statement))
+            needed |= names_of(statement)
+    program = ast.Module([*reversed(kept), ast.Assign([ast.Name("cases", ast.Store())], cases)], [])
+    space: dict[str, Any] = {"__name__": name}
+    exec(compile(ast.fix_missing_locations(program), str(path), "exec"), space)
+    return tuple(space["cases"])
