@@ -18,7 +18,7 @@ HEAVY = (
     "scipy.integrate",
     "scipy.linalg",
     "scipy.optimize",
-    "sympy.physics.mechanics",
+    "sympy.physics",
 )
 
 

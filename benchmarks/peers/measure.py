@@ -27,6 +27,9 @@ LONG = 120.0
 LIMIT = 1500.0
 """Seconds after which a peer is stopped."""
 
+INSTALLED = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+"""With bytecode, as installed packages have it."""
+
 OSCILATE = (
     "duffing",
     "parametric_duffing",
@@ -72,6 +75,7 @@ def run(tool: str, example: str) -> dict[str, Any]:
             text=True,
             timeout=LIMIT,
             check=True,
+            env=INSTALLED,
         )
     except subprocess.TimeoutExpired:
         return {"stopped": LIMIT}
@@ -102,6 +106,8 @@ def main() -> None:
     if unknown:
         sys.exit(f"no such example: {', '.join(sorted(unknown))}")
     BUILD.mkdir(parents=True, exist_ok=True)
+    compile_all = ["-m", "compileall", "-q", str(ROOT / "src" / "mmsgen"), str(HERE)]
+    subprocess.run([str(OURS), *compile_all], check=True)
     for example in chosen.examples or (*ASYMPTOTICS, *OSCILATE):
         peer, long = peer_of(example), False
         for index in range(chosen.rounds):

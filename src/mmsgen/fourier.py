@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import sympy as sp
-from sympy.physics.vector import dynamicsymbols
 
 from .errors import ModelError
 from .parameters import Parameter
+from .validation import TIME
 
 __all__ = ["FourierSeries", "fourier_series"]
 
@@ -77,8 +77,7 @@ def fourier_series(
         raise ModelError(
             f"the frequency of {name} must be an expression in a symbol: {frequency!r}"
         )
-    time = dynamicsymbols._t
-    if time in frequency.free_symbols:
+    if TIME in frequency.free_symbols:
         raise ModelError(f"the frequency of {name} depends on time: {frequency}")
     terms, parameters = [], []
     about = meaning or name
@@ -87,5 +86,5 @@ def fourier_series(
         for letter, wave, word in waves:
             symbol = sp.Symbol(f"{name}_{letter}{n}", real=True)
             parameters.append(Parameter(symbol, unit, f"{word} coefficient {n} of {about}"))
-            terms.append(symbol * wave(n * frequency * time))
+            terms.append(symbol * wave(n * frequency * TIME))
     return FourierSeries(sp.Add(*terms), tuple(parameters))
