@@ -11,9 +11,7 @@ from hypothesis import settings
 # The gate has to give the same verdict twice; `make test-all` looks further, with
 # --hypothesis-profile=long, and prints what reproduces a failure. No profile has a deadline: how
 # fast a machine is says nothing about whether the result is right.
-settings.register_profile(
-    "gate", derandomize=True, database=None, deadline=None, max_examples=50
-)
+settings.register_profile("gate", derandomize=True, database=None, deadline=None, max_examples=50)
 settings.register_profile("long", deadline=None, max_examples=1000, print_blob=True)
 settings.load_profile("gate")
 

@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import FloquetError
-from .collocation import GaussTable, step_matrices, truncation
+from .collocation import GaussTable, stage_norms, step_matrices, truncation
 from .points import Floats
 from .system import PeriodicSystem
 
@@ -25,8 +25,9 @@ BLOCK = 200_000
 LADDER = tuple(sorted({m << k for m in (4, 5, 6, 7) for k in range(16)} | {1, 2, 3}))
 """Numbers of steps that are used: few enough that points form groups, at most a third apart."""
 ROUNDING = 4.0
-"""Rounding error of a step in units of eps·|step matrix|·cond(M): see the tests, which compare
-with collocations of other stages and steps."""
+"""Rounding error of a step in units of eps·cond(M)·(|step matrix| + |stage values|), the latter as
+the sum of their Legendre coefficients: a step that is long for the fastest motion has stages far
+larger than its end. See the tests, which compare with collocations of other stages and steps."""
 
 
 @dataclass(frozen=True)
@@ -304,7 +305,7 @@ class _Work:
         step = 2 * np.pi / count
         width = scale.shape[1]
         transition = np.empty((count, part.size, width, width))
-        cut = np.empty((count, part.size))
+        cut, stage = np.empty((2, count, part.size))
         batch = max(1, self.cells // part.size)
         for start in range(0, count, batch):
             stop = min(count, start + batch)
@@ -317,19 +318,22 @@ class _Work:
             units = np.tile(scale, (begin.size, 1))
             with np.errstate(all="ignore"):
                 try:
-                    matrix, tail = step_matrices(data, step, self.table)
-                    error = truncation(tail, step, units, self.table.stages)
+                    matrix, series = step_matrices(data, step, self.table)
+                    norms = stage_norms(series, step, units)
                 except np.linalg.LinAlgError:
                     matrix = np.full((cells, width, width), np.nan)
-                    error = np.full(cells, np.inf)
+                    norms = np.full((self.table.stages, cells), np.inf)
                 matrix *= units[:, None, :] / units[:, :, None]
+                cut[start:stop] = truncation(norms).reshape(-1, part.size)
+            stage[start:stop] = norms.sum(axis=0).reshape(-1, part.size)
             transition[start:stop] = matrix.reshape(-1, part.size, width, width)
-            cut[start:stop] = error.reshape(-1, part.size)
         with np.errstate(all="ignore"):
-            return _product(transition, cut, self.scan.condition[part])
+            return _product(transition, cut, stage, self.scan.condition[part])
 
 
-def _product(transition: Floats, cut: Floats, condition: Floats) -> tuple[Floats, Floats, Floats]:
+def _product(
+    transition: Floats, cut: Floats, stage: Floats, condition: Floats
+) -> tuple[Floats, Floats, Floats]:
     """Multiply the steps of each point and carry their errors to the end of the period.
 
     The error of a product is Σ_k (later steps)·error_k·(earlier steps), to first order: norms of
@@ -350,7 +354,7 @@ def _product(transition: Floats, cut: Floats, condition: Floats) -> tuple[Floats
         earlier[k] = two_norm(head)
         head = transition[k] @ head
     spread = later * earlier
-    rounding = ROUNDING * EPS * condition * ((spread * two_norm(transition)).sum(axis=0))
+    rounding = ROUNDING * EPS * condition * ((spread * (two_norm(transition) + stage)).sum(axis=0))
     rounding += ROUNDING * EPS * two_norm(head)
     cut_total = (spread * cut).sum(axis=0)
     bad = ~np.isfinite(head).all(axis=(1, 2))
