@@ -258,3 +258,24 @@ def test_equations_refused(equations: Any, phrases: list[str]) -> None:
 def test_either_lagrangian_or_equations() -> None:
     with pytest.raises(ModelError, match="either"):
         build(equations=(q.diff(t, 2),))
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        lambda: Model(dq**2, None, []),
+        lambda: Model(dq**2, [q], None),
+        lambda: Model(dq**2, [q], 3),
+        lambda: Model(dq**2, [q], [], forces=None),
+        lambda: Model(dq**2, [q], [], forces=[q]),
+        lambda: Model.from_equations(None, [q], []),
+        lambda: Model.from_equations([q.diff(t, 2)], None, []),
+        lambda: Model.from_equations([q.diff(t, 2)], [q], None),
+        lambda: Parameter(sp.Symbol("w"), 1, "x"),
+        lambda: Parameter(sp.Symbol("w"), "1", None),
+        lambda: Parameter(sp.Symbol("w"), definition=3),
+    ],
+)
+def test_arguments_of_the_wrong_kind_are_refused(wrong: object) -> None:
+    with pytest.raises(ModelError, match=r"must be (a list|a mapping|text|a SymPy)"):
+        wrong()

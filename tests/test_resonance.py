@@ -218,3 +218,12 @@ def test_a_resonance_knows_its_distance() -> None:
         first.distance({"omega": 3.0, "Omega": [1.0, 2.0]}, mathieu().eom.parameters)
     assert y not in mathieu().eom.coordinates
     assert omega_1 not in first.relation.free_symbols | {omega_2}
+
+
+@pytest.mark.parametrize("natural", [sp.Integer(2), sp.Rational(1, 2), sp.Integer(1)])
+def test_kinds_count_in_a_numeric_natural_frequency(natural: sp.Rational) -> None:
+    given = oscillator(2 * alpha * sp.cos(Omega * t) * x, natural).scale({alpha: 1})
+    assert sorted(kinds(given, 2).values()) == [
+        ("parametric 1:1", 2),
+        ("principal parametric", 1),
+    ]

@@ -103,6 +103,11 @@ def checked(
             where = f" at index {k}" if flat.size > 1 else ""
             raise ValueError(f"{name} must be {DOMAINS[domain]}, got {flat[k]!r}{where}")
         arrays.append(array)
+    try:
+        np.broadcast_shapes(*(array.shape for array in arrays))
+    except ValueError:
+        shapes = ", ".join(f"{name}: {a.shape}" for name, a in zip(values, arrays, strict=True))
+        raise ValueError(f"shapes that do not broadcast together: {shapes}") from None
     return arrays
 
 

@@ -12,7 +12,7 @@ from .terms import assemble, collect, motion
 
 __all__ = ["LinearPart", "linear_part"]
 
-# they have no Taylor expansion where their argument changes sign
+# they have no Taylor expansion where their argument changes sign; functions of time alone may
 _NOT_SMOOTH = (sp.Abs, sp.sign, sp.Piecewise, sp.Heaviside, sp.Min, sp.Max, sp.floor, sp.ceiling)
 
 
@@ -98,7 +98,7 @@ def _slopes(
     present = [s for s in state.symbols if s in plain.free_symbols]
     if not present:
         return [(None, plain)]
-    if plain.has(*_NOT_SMOOTH):
+    if any(f.free_symbols & set(present) for f in plain.atoms(*_NOT_SMOOTH)):
         raise ModelError(
             f"the equation of {q} contains {basis}, which has no Taylor expansion about rest: "
             "linearisation needs smooth functions"

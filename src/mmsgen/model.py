@@ -63,7 +63,7 @@ class Model:
     equations: tuple[sp.Expr, ...] | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
-        if isinstance(self.coordinates, sp.Basic | str):
+        if not _is_list(self.coordinates):
             raise ModelError(f"coordinates must be a list, got {self.coordinates!r}")
         _set(self, "coordinates", tuple(self.coordinates))
         _set(self, "parameters", as_parameters(self.parameters))
@@ -80,7 +80,9 @@ class Model:
         check_content(lagrangian, "the Lagrangian", self.coordinates, self.parameters, 1)
         check_content(dissipation, "the dissipation function", self.coordinates, self.parameters, 1)
         forces: dict[sp.Expr, sp.Expr] = {}
-        for q, force in dict(self.forces).items():
+        if not isinstance(self.forces, Mapping):
+            raise ModelError(f"forces must be a mapping {{coordinate: force}}, got {self.forces!r}")
+        for q, force in self.forces.items():
             if q not in self.coordinates:
                 known = ", ".join(map(str, self.coordinates))
                 raise ModelError(f"a force acts on {q}, which is no coordinate: use one of {known}")
@@ -126,7 +128,7 @@ class Model:
             As for a `Model`; also if the number of equations is not that of the coordinates, or
             one has no second derivative.
         """
-        if isinstance(equations, sp.Basic | str):
+        if not _is_list(equations):
             raise ModelError(f"equations must be a list, got {equations!r}")
         parts = []
         for number, equation in enumerate(equations, start=1):
@@ -135,7 +137,7 @@ class Model:
                 left = as_expression(equation.lhs, where)
                 equation = left - as_expression(equation.rhs, where)
             parts.append(_written_out(as_expression(equation, where)))
-        return cls(None, tuple(coordinates), tuple(parameters), equations=tuple(parts))
+        return cls(None, coordinates, as_parameters(parameters), equations=tuple(parts))
 
     def equations_of_motion(self) -> EquationsOfMotion:
         """Derive the exact equations, d/dt ∂L/∂q' − ∂L/∂q + ∂R/∂q' − F = 0 for every coordinate.
@@ -176,6 +178,11 @@ class Model:
 def _set(record: Model, name: str, value: object) -> None:
     """Normalise a field of a frozen record while it is being built."""
     object.__setattr__(record, name, value)
+
+
+def _is_list(value: object) -> bool:
+    """Whether a value is a sequence of expressions rather than one expression, text or nothing."""
+    return isinstance(value, Iterable) and not isinstance(value, sp.Basic | str)
 
 
 def _written_out(expr: sp.Expr) -> sp.Expr:

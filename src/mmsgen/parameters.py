@@ -31,7 +31,8 @@ class Parameter:
     Raises
     ------
     ModelError
-        If `symbol` is not a symbol, or its definition contains the symbol itself.
+        If `symbol` is not a symbol, unit or meaning is no text, the definition is no expression,
+        or it contains the symbol itself.
     """
 
     symbol: sp.Symbol
@@ -44,6 +45,17 @@ class Parameter:
             raise ModelError(
                 f"a parameter needs a sympy.Symbol, got {self.symbol!r}: "
                 "declare it with sympy.Symbol(name, positive=True) or real=True"
+            )
+        for what, text in (("unit", self.unit), ("meaning", self.meaning)):
+            if not isinstance(text, str):
+                raise ModelError(
+                    f"the {what} of {self.symbol} must be text, got {text!r}: "
+                    'Parameter(symbol, "rad/s", "rotor speed")'
+                )
+        if self.definition is not None and not isinstance(self.definition, sp.Expr):
+            raise ModelError(
+                f"the definition of {self.symbol} must be a SymPy expression, "
+                f"got {self.definition!r}"
             )
         if self.definition is not None and self.definition.has(self.symbol):
             raise ModelError(f"the definition of {self.symbol} contains {self.symbol} itself")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from math import gcd
 
 from .series import Form
 from .weak import WeakSystem
@@ -32,6 +33,9 @@ def kind_of(weak: WeakSystem, form: Form, signatures: Sequence[tuple[int, tuple[
     step = _numeric_step(weak)
     whole = (form[-1] / step).denominator
     pairs = [(name, whole * (c / step if name == "1" else c)) for name, c in pairs]
+    # 2Ω = 1 with a natural frequency of 1/2 is 2Ω = 2ω.
+    common = gcd(*(int(c) for _, c in pairs)) or 1
+    pairs = [(name, c / common) for name, c in pairs]
     modes = [(name, c) for name, c in pairs if c and name in natural]
     drives = [(name, c) for name, c in pairs if c and name not in natural]
     if not drives:
@@ -58,7 +62,13 @@ def kind_of(weak: WeakSystem, form: Form, signatures: Sequence[tuple[int, tuple[
 
 
 def _numeric_step(weak: WeakSystem) -> Fraction:
-    """The frequency of a numeric excitation such as cos 2t; 1 where there is none."""
+    """What a number in a relation counts in: the numeric natural frequency, if there is just one.
+
+    Otherwise the frequency of a numeric excitation such as cos 2t; 1 where there is neither.
+    """
+    numeric = {f["1"] for f in weak.scaled.natural_frequencies if set(f) == {"1"}}
+    if len(numeric) == 1:
+        return Fraction(*numeric.pop().as_integer_ratio())
     steps = (p.step for p in weak.scaled.alphabet.phasors if p.moving and p.base == 1)
     return next(steps, Fraction(1))
 

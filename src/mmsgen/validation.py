@@ -77,7 +77,7 @@ def as_parameters(parameters: Iterable[Parameter | sp.Symbol]) -> tuple[Paramete
         If an entry is neither, is not real, has a name that cannot be a keyword argument, is
         called like time, or if two share a name.
     """
-    if isinstance(parameters, str | sp.Basic | Parameter):
+    if isinstance(parameters, str | sp.Basic) or not isinstance(parameters, Iterable):
         raise ModelError(f"parameters must be a list of Parameter, got {parameters!r}")
     result = tuple(p if isinstance(p, Parameter) else Parameter(p) for p in parameters)
     for parameter in result:

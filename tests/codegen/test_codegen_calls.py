@@ -279,3 +279,9 @@ def test_zone_agrees_with_roots_that_are_known() -> None:
     # Degrees may differ from point to point.
     ends = np.array(zone([1.0, -1.0, 4.0], 0.0, [-1.0, 0.0, -1.0]))
     assert np.array_equal(ends, [[-1.0, np.nan, -2.0], [1.0, np.nan, 2.0]], equal_nan=True)
+
+
+def test_shapes_that_do_not_broadcast_are_told_by_name() -> None:
+    wrong = {**VALUES, "sigma": np.zeros(3), "r_b": np.full((2, 2), 0.2)}
+    with pytest.raises(ValueError, match=r"sigma: \(3,\).*r_b: \(2, 2\)"):
+        rotor().growth_rate(**wrong)

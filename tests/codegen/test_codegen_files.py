@@ -326,3 +326,16 @@ def test_import_needs_numpy_alone_and_loads_cases_when_used(tmp_path: Path) -> N
 def test_a_model_of_several_relations_can_be_emitted(tmp_path: Path) -> None:
     case = _scaled("rotor4").expand(order=1, resonance=BOTH)
     assert len(generate(case, directory=tmp_path)) == 7
+
+
+@pytest.mark.parametrize("cases", [None, 3, emission, [3]])
+def test_what_is_no_case_is_refused(cases: object, tmp_path: Path) -> None:
+    with pytest.raises(EmissionError, match="is not a solved case"):
+        generate(cases, directory=tmp_path)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("name", [None, 3, "", "_a"])
+def test_names_that_cannot_be_imported_are_refused(name: object, tmp_path: Path) -> None:
+    for names in ({"package": name}, {"model": name}):
+        with pytest.raises(EmissionError, match="cannot be imported"):
+            generate(solved(), directory=tmp_path, **names)  # type: ignore[arg-type]

@@ -113,7 +113,9 @@ def _shared_text(name: str) -> str:
 
 
 def _settings(cases: Cases) -> list[Setting]:
-    chosen = (cases,) if isinstance(cases, Expansion) else tuple(cases)
+    if not isinstance(cases, Iterable):
+        cases = (cases,)
+    chosen = tuple(cases)
     if not chosen:
         raise EmissionError("there is nothing to emit: pass at least one case")
     settings: dict[str, Setting] = {}

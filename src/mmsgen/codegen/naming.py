@@ -87,7 +87,8 @@ def check_module_name(name: str, what: str) -> None:
     ------
     EmissionError
     """
-    if not name.isidentifier() or keyword.iskeyword(name) or name.startswith("_"):
+    usable = isinstance(name, str) and name.isidentifier() and not keyword.iskeyword(name)
+    if not usable or name.startswith("_"):
         raise EmissionError(
             f"the {what} name {name!r} cannot be imported: use letters, digits and underscores, "
             "beginning with a letter"

@@ -35,7 +35,8 @@ def growth_rate(
     Parameters
     ----------
     eom : EquationsOfMotion
-        Linear equations M(t)q'' + C(t)q' + K(t)q = f(t); f does not matter.
+        Linear equations M(t)q'' + C(t)q' + K(t)q = f(t); f does not matter. Nonlinear ones are
+        linearised about rest, q = 0, which must be a solution: no force may act there.
     values : mapping of symbol or name to scalar or array
         Parameter values, which broadcast together to the batch. A parameter with a definition
         is computed from the others unless its value is given.
@@ -61,8 +62,8 @@ def growth_rate(
     Raises
     ------
     FloquetError
-        For missing, unknown or unusable values, coefficients without a common period, or a
-        singular mass matrix.
+        For missing, unknown or unusable values, coefficients without a common period, a
+        singular mass matrix, or nonlinear equations with a force at rest.
     """
     problem = prepare(eom, values, period, Options(tolerance, max_steps, workers))
     return growth(problem, threshold)

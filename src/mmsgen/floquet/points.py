@@ -102,6 +102,8 @@ def _checked(name: str, value: object, symbol: sp.Symbol) -> Floats:
     """`value` as float64, or an error that names the symbol."""
     try:
         raw = np.asarray(value)
+        if raw.dtype.kind in "USb":  # NumPy would read the text "1" as a number
+            raise TypeError
         if raw.dtype == object:
             raw = np.array([float(x) for x in raw.ravel()]).reshape(raw.shape)
         if np.iscomplexobj(raw):

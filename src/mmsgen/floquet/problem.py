@@ -6,6 +6,7 @@ import os
 from collections.abc import Callable, Mapping
 from concurrent.futures import FIRST_EXCEPTION, ThreadPoolExecutor, wait
 from dataclasses import dataclass
+from numbers import Integral, Real
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +15,7 @@ import sympy as sp
 from ..errors import FloquetError
 from .collocation import GaussTable, gauss_table
 from .points import Floats, Points, Values, make_points
-from .system import LinearEquations, PeriodicSystem, compile_system
+from .system import LinearEquations, PeriodicSystem, check_rest, compile_system
 
 __all__ = ["Options", "Problem", "prepare", "run_chunks"]
 
@@ -49,12 +50,18 @@ class Options:
     enough: float = 0.0
 
     def __post_init__(self) -> None:
-        if not (np.isfinite(self.tolerance) and self.tolerance > 0):
+        if not (isinstance(self.tolerance, Real) and 0 < self.tolerance < np.inf):
             raise FloquetError(f"tolerance must be a positive number, got {self.tolerance!r}")
+        if isinstance(self.max_steps, bool) or not isinstance(self.max_steps, Integral):
+            raise FloquetError(f"max_steps must be a whole number, got {self.max_steps!r}")
         if self.max_steps < 1:
             raise FloquetError(f"max_steps must be at least 1, got {self.max_steps!r}")
-        if self.workers is not None and self.workers < 1:
-            raise FloquetError(f"workers must be at least 1, got {self.workers!r}")
+        if self.workers is not None and not (
+            isinstance(self.workers, Integral) and self.workers >= 1
+        ):
+            raise FloquetError(
+                f"workers must be a whole number, at least 1, or None: got {self.workers!r}"
+            )
 
 
 @dataclass(frozen=True)
@@ -120,8 +127,15 @@ def prepare(
     Raises
     ------
     FloquetError
-        For missing, unknown or unusable values, and for coefficients without a common period.
+        For missing, unknown or unusable values, for coefficients without a common period, and
+        for nonlinear equations in which a force acts at rest.
     """
+    if not all(hasattr(eom, name) for name in ("M", "C", "K", "parameters")):
+        raise FloquetError(
+            f"the first argument must be equations of motion, got {eom!r}: pass what "
+            "model.equations_of_motion() returns"
+        )
+    check_rest(eom)
     if not isinstance(values, Mapping):
         raise FloquetError(f"values must be a mapping of symbols to numbers, got {values!r}")
     symbolic = period if isinstance(period, sp.Basic) else None

@@ -325,6 +325,9 @@ class _Work:
                     norms = np.full((self.table.stages, cells), np.inf)
                 matrix *= units[:, None, :] / units[:, :, None]
                 cut[start:stop] = truncation(norms).reshape(-1, part.size)
+            # No estimate holds for a step within which a coefficient jumps.
+            jumps = self.system.jumps(begin, step, self.table.nodes, arrays, period)
+            cut[start:stop][jumps] = np.inf
             stage[start:stop] = norms.sum(axis=0).reshape(-1, part.size)
             transition[start:stop] = matrix.reshape(-1, part.size, width, width)
         with np.errstate(all="ignore"):

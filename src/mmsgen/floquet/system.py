@@ -10,18 +10,24 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from itertools import pairwise
+from itertools import combinations, pairwise
 from typing import Any, Protocol
 
 import numpy as np
+import numpy.typing as npt
 import sympy as sp
+from sympy.core.relational import Relational
 
 from ..errors import FloquetError
 from ..parameters import Parameter
 from .period import Periodicity, find_periodicity
 from .points import Floats
 
-__all__ = ["LinearEquations", "PeriodicSystem", "compile_system"]
+__all__ = ["LinearEquations", "PeriodicSystem", "check_rest", "compile_system"]
+
+
+INSIDE = 1e-9
+"""How far inside a step its ends are looked at, in steps: beyond the rounding of the phase."""
 
 
 class LinearEquations(Protocol):
@@ -61,6 +67,8 @@ class PeriodicSystem:
         (*parameters) -> T; None when the period is given as a number or not needed.
     base : str
         The base frequency in print, for messages.
+    switches : callable or None
+        (θ, T, *parameters) -> functions at whose zeros the entries, or their slopes, jump.
     """
 
     size: int
@@ -71,6 +79,7 @@ class PeriodicSystem:
     function: Callable[..., Sequence[Any]]
     period_function: Callable[..., Any] | None
     base: str
+    switches: Callable[..., Sequence[Any]] | None = None
 
     def require(self, arrays: dict[str, Floats]) -> None:
         """Raise FloquetError if a parameter has no value."""
@@ -129,6 +138,94 @@ class PeriodicSystem:
                 power = powers[kind]
                 out[:, :, row, column, kind] = number if power is None else number * power
         return out
+
+    def jumps(
+        self,
+        begin: npt.NDArray[np.int64],
+        step: float,
+        nodes: Floats,
+        arrays: dict[str, Floats],
+        period: Floats,
+    ) -> npt.NDArray[np.bool_]:
+        """Which steps have a switch within them, and not at their ends, shape (steps, points).
+
+        The nodes of a step do not see what happens between the last of them and its end, so the
+        switches themselves are looked at: just inside the ends, and at the nodes.
+        """
+        if self.switches is None:
+            return np.zeros((begin.size, period.size), dtype=np.bool_)
+        at = np.concatenate([[INSIDE], nodes, [1 - INSIDE]])
+        phase = (step * (at[:, None] + begin)).ravel()
+        columns = [arrays[s.name] for s in self.symbols]
+        with np.errstate(all="ignore"):
+            values = self.switches(phase[:, None], period, *columns)
+        shape = (phase.size, period.size)
+        signs = [np.sign(np.broadcast_to(_real(v), shape)) for v in values]
+        stacked = np.stack(signs).reshape(len(signs), at.size, begin.size, period.size)
+        return np.asarray((stacked != stacked[:, :1]).any(axis=(0, 1)))
+
+
+def _switches(entries: Sequence[sp.Expr], time: sp.Symbol) -> list[sp.Expr]:
+    """Functions of time that are zero where an entry is not smooth."""
+    found: list[sp.Expr] = []
+    for entry in entries:
+        for part in sp.preorder_traversal(entry):
+            if not part.has(time):
+                continue
+            if isinstance(part, sp.Abs | sp.sign | sp.Heaviside):
+                found.append(part.args[0])
+            elif isinstance(part, Relational):
+                found.append(part.lhs - part.rhs)
+            elif isinstance(part, sp.Min | sp.Max):
+                found += [left - right for left, right in combinations(part.args, 2)]
+            elif isinstance(part, sp.floor | sp.ceiling | sp.frac):
+                found.append(sp.sin(sp.pi * part.args[0]))
+            elif isinstance(part, sp.Mod):
+                found.append(sp.sin(sp.pi * part.args[0] / part.args[1]))
+    return list(dict.fromkeys(found))
+
+
+def check_rest(eom: LinearEquations) -> None:
+    """Refuse nonlinear equations in which a force acts at rest.
+
+    M, C and K of nonlinear equations are linearised about rest, q = 0: with a force f(t) there,
+    rest is no solution, and its stability has no meaning. Linear equations may have any force:
+    it drops out of the difference of two motions.
+
+    Raises
+    ------
+    FloquetError
+        Naming the equation, the force and a nonlinear term.
+    """
+    force, equations = getattr(eom, "f", None), getattr(eom, "equations", None)
+    if force is None or equations is None or not any(force):
+        return
+    coordinates = tuple(getattr(eom, "coordinates", ()))
+    found = _nonlinear_term(tuple(equations), coordinates, eom.time)
+    if found is not None:
+        row = next(k for k, entry in enumerate(force) if entry != 0)
+        number, term = found
+        raise FloquetError(
+            f"rest is no solution of these nonlinear equations: the force {force[row]} acts on "
+            f"{coordinates[row]}, and the equation of {coordinates[number]} contains {term}. "
+            "Floquet theory needs a motion to linearise about: linearise the equations about one, "
+            "or take the force out to get the stability of rest"
+        )
+
+
+@lru_cache(maxsize=32)
+def _nonlinear_term(
+    equations: tuple[sp.Expr, ...], coordinates: tuple[sp.Expr, ...], time: sp.Symbol
+) -> tuple[int, sp.Expr] | None:
+    """The first equation with a term that is not linear in the motion, and the term."""
+    motion = {sp.diff(q, time, order): sp.Dummy() for q in coordinates for order in (2, 1, 0)}
+    state = set(motion.values())
+    for number, equation in enumerate(equations):
+        for term in sp.Add.make_args(sp.expand(equation)):
+            plain = term.xreplace(motion)
+            if any(plain.diff(s).free_symbols & state for s in plain.free_symbols & state):
+                return number, term
+    return None
 
 
 def compile_system(
@@ -204,6 +301,7 @@ def _compile(
         rewritten = [periodicity.in_phase(entry, phase) for entry in entries]
     else:
         rewritten = [entry.xreplace({time: phase * unit / (2 * sp.pi)}) for entry in entries]
+    switches = _switches(rewritten, phase)
     symbols = _symbols([*entries, *([] if length is None else [length])], time)
     return PeriodicSystem(
         size=size,
@@ -214,6 +312,9 @@ def _compile(
         function=sp.lambdify([phase, unit, *symbols], rewritten, modules="numpy", cse=True),
         period_function=None if length is None else sp.lambdify(symbols, length, modules="numpy"),
         base="given period" if periodicity is None else str(periodicity.base),
+        switches=sp.lambdify([phase, unit, *symbols], switches, modules="numpy", cse=True)
+        if switches
+        else None,
     )
 
 
