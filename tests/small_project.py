@@ -102,6 +102,7 @@ EMITTED = sorted(
     [
         "generated/mms_functions/__init__.py",
         "generated/mms_functions/_edges.py",
+        "generated/mms_functions/_eigenmodes.py",
         "generated/mms_functions/_runtime.py",
         f"{FOLDER}/__init__.py",
         *CASES,

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import signal
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import pytest
@@ -169,3 +171,53 @@ def test_a_user_error_as_a_process(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout) == (1, "")
     assert done.stderr.startswith("mmsgen: no project here")
     assert "Traceback" not in done.stderr
+
+
+def test_a_failing_derivation_does_not_stop_the_others(project: Project, outcomes: dict) -> None:
+    outcomes["another"] = MmsgenError("no case holds")
+    outcomes["pendulum"] = Outcome("pendulum", (), ("case 2: wrong",))
+    result = run()
+    assert result.exit_code == 1
+    assert [name for name, _ in outcomes["calls"]] == ["another", "pendulum"]
+    assert result.stderr.splitlines()[-2:] == [
+        "mmsgen: no case holds",
+        "mmsgen: not emitted: case 2: wrong",
+    ]
+
+
+def test_a_script_that_is_not_utf_8(tmp_path: Path) -> None:
+    project = small_project(tmp_path / "project")
+    (project.derivations / "pendulum.py").write_bytes(b"# %%\nname = '\xe9'\n")
+    done = command(project.root, "make")
+    assert done.returncode == 1
+    assert "mmsgen: pendulum.py is not UTF-8 text (byte 13)" in done.stderr
+    assert "Traceback" not in done.stderr
+
+
+def test_an_interrupt_is_one_line_and_leaves_no_kernel(tmp_path: Path) -> None:
+    marker = tmp_path / "kernel"
+    cell = f"""# %%
+import os, pathlib, time
+pathlib.Path({str(marker)!r}).write_text(str(os.getpid()))
+time.sleep(60)
+"""
+    project = small_project(tmp_path / "project", cell)
+    before = contents(project.root)
+    process = subprocess.Popen(
+        [sys.executable, "-m", "mmsgen", "make"],
+        cwd=project.root,
+        stderr=subprocess.PIPE,
+        encoding="utf-8",
+        start_new_session=True,
+    )
+    while not (marker.exists() and marker.read_text()) and process.poll() is None:
+        time.sleep(0.05)
+    os.killpg(process.pid, signal.SIGINT)
+    _, told = process.communicate(timeout=60)
+    assert process.returncode == 130
+    assert told.splitlines()[-1].startswith("mmsgen: interrupted")
+    assert "Traceback" not in told
+    assert "Error" not in told
+    assert contents(project.root) == before
+    with pytest.raises(ProcessLookupError):
+        os.kill(int(marker.read_text()), 0)

@@ -27,7 +27,10 @@ def main() -> None:
             f"mmsgen: the command line needs {' and '.join(missing)}: "
             "install them with pip install 'mmsgen[cli]'"
         )
-    import_module("mmsgen.cli").app()
+    try:
+        import_module("mmsgen.cli").app()
+    except KeyboardInterrupt:
+        sys.exit(130)
 
 
 if __name__ == "__main__":

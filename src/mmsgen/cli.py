@@ -31,7 +31,6 @@ def make(
     ] = False,
 ) -> None:
     """Run derivations: execute the notebook, certify, emit; write only what has changed."""
-    different, failed = False, False
     try:
         project = find_project()
         names = derivations or list(project.names())
@@ -39,19 +38,29 @@ def make(
             raise MmsgenError(f"there is no derivation in {project.derivations}")
         for name in names:
             project.script(name)
-        for name in names:
-            outcome = _make(project, name, check)
-            different |= bool(outcome.changed)
-            # The other derivations are made all the same.
-            for failure in outcome.failures:
-                failed = True
-                _say(f"mmsgen: not emitted: {failure}")
     except MmsgenError as error:
         _say(f"mmsgen: {error}")
         raise typer.Exit(1) from None
+    different, failures = False, []
+    try:
+        for name in names:
+            # Whatever one leads to, the other derivations are made all the same.
+            try:
+                outcome = _make(project, name, check)
+            except (MmsgenError, OSError) as error:
+                failures.append(str(error))
+                _say(f"{name}: failed")
+                continue
+            different |= bool(outcome.changed)
+            failures += [f"not emitted: {failure}" for failure in outcome.failures]
+    except KeyboardInterrupt:
+        _say("mmsgen: interrupted; what was made before is whole")
+        raise typer.Exit(130) from None
+    for failure in failures:
+        _say(f"mmsgen: {failure}")
     if check and different:
         _say("the committed output differs from fresh output: run make and commit it")
-    if failed or (check and different):
+    if failures or (check and different):
         raise typer.Exit(1)
 
 

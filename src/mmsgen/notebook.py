@@ -59,8 +59,10 @@ def execute(
     Raises
     ------
     MmsgenError
-        If a cell fails, the message holding its traceback, or the kernel does; or if the extra
-        ``notebook`` is not installed.
+        If a cell fails, the message holding its traceback, or the kernel does; if the script is
+        not UTF-8; or if the extra ``notebook`` is not installed.
+    KeyboardInterrupt
+        If the execution is interrupted; the kernel has been stopped.
     """
     try:
         import jupytext
@@ -76,12 +78,19 @@ def execute(
             "'mmsgen[notebook]'"
         ) from None
 
-    notebook = jupytext.read(script, fmt="py:percent")
+    try:
+        notebook = jupytext.read(script, fmt="py:percent")
+    except UnicodeDecodeError as error:
+        raise MmsgenError(
+            f"{script.name} is not UTF-8 text (byte {error.start}): save it in that encoding"
+        ) from None
     client = NotebookClient(
         notebook,
         timeout=TIMEOUT,
         kernel_name="python3",
         record_timing=False,
+        # An orderly shutdown interrupts the cell first, which the kernel reports with a traceback.
+        shutdown_kernel="immediate",
         extra_arguments=["--log-level=40"],
         coalesce_streams=True,
         resources={"metadata": {"path": str(folder)}},
@@ -89,13 +98,34 @@ def execute(
     if progress is not None:
         client.on_cell_start = lambda cell, cell_index: progress(cell_index, len(notebook.cells))
     try:
-        client.execute(env=environment)
+        _run(client, environment)
     except CellExecutionError as error:
         text = _COLOURS.sub("", str(error))
         raise MmsgenError(f"{script.name} fails when executed:\n{text}") from None
     except (CellTimeoutError, DeadKernelError) as error:
         raise MmsgenError(f"{script.name} cannot be executed: {error}") from None
     return _normalised(notebook)
+
+
+def _run(client: Any, environment: dict[str, str]) -> None:
+    """Execute; where that is interrupted, stop the kernel and raise KeyboardInterrupt alone.
+
+    nbclient takes the signal itself: it shuts the kernel down below its own execution, which then
+    fails in whatever way the moment brings.
+    """
+    client.create_kernel_manager()
+    manager = client.km
+    try:
+        client.execute(env=environment)
+    except (Exception, KeyboardInterrupt) as error:
+        signalled = getattr(client, "_async_cleanup_kernel_future", None) is not None
+        if not signalled and not isinstance(error, KeyboardInterrupt):
+            raise
+        if manager.has_kernel:
+            from jupyter_core.utils import run_sync
+
+            run_sync(manager.shutdown_kernel)(now=True)
+        raise KeyboardInterrupt from None
 
 
 def _normalised(notebook: Any) -> Any:

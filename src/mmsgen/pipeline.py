@@ -66,7 +66,7 @@ class Project:
             If there is none of that name.
         """
         path = self.derivations / f"{name}.py"
-        if not path.is_file() or "# %%" not in path.read_text(encoding="utf-8"):
+        if not path.is_file() or b"# %%" not in path.read_bytes():
             known = ", ".join(self.names()) or "none"
             raise MmsgenError(f"there is no derivation {name!r}; known are {known}")
         return path
@@ -74,7 +74,7 @@ class Project:
     def names(self) -> tuple[str, ...]:
         """The derivations: scripts with cells. Other modules beside them are shared code."""
         scripts = sorted(self.derivations.glob("*.py"))
-        return tuple(p.stem for p in scripts if "# %%" in p.read_text(encoding="utf-8"))
+        return tuple(p.stem for p in scripts if b"# %%" in p.read_bytes())
 
 
 @dataclass(frozen=True)
