@@ -126,6 +126,7 @@ class Statement:
 
     def leading(self, modes: Any, equations: list[sp.Expr]) -> None:
         """Inertias, frequencies before they are detuned, and φ."""
+        self.named = modes.named
         symbols = {p.name: p.symbol for p in modes.parameters}
         coupled = {j for c in modes.components for j in c.members}
         self.shapes = {(j, j): sp.Integer(1) for j in range(self.n) if j not in coupled}
@@ -144,8 +145,15 @@ class Statement:
                 self.shapes[j, r] = parts[0] + sp.I * parts[1]
 
     def tune(self) -> None:
-        """Frequencies on resonance, as vectors; what the detunings add to those of z."""
+        """Frequencies on resonance, as vectors; what the detunings add to those of z.
+
+        A named frequency is detuned itself; any other by its stiffness, which is among the forces.
+        """
         exact = {s: e.subs(EPS, 0) for s, e in self.detuned.items()}
+        self.tuned = [
+            w.subs(self.detuned if named else exact, simultaneous=True)
+            for w, named in zip(self.omegas, self.named, strict=True)
+        ]
         self.omegas = [sp.expand(w.subs(exact, simultaneous=True)) for w in self.omegas]
         speeds = [sp.expand(sp.sympify(s).subs(self.detuned)) for s in self.phasors]
         self.rates = [self.space.poly(s.coeff(EPS, self.step)) for s in speeds]
@@ -248,45 +256,51 @@ class Averaging(Statement):
             parts.append(self.space.divided(part, self.omegas[j] + nu))
         return plus(*parts)
 
+    def graded(self, expression: sp.Expr) -> Graded:
+        parts = taylor(expression, self.order)
+        return [self.space.poly(parts.coeff(EPS, s)) for s in range(self.order + 1)]
+
     def first_order(self) -> list[Graded]:
-        """a_r' − iω_r a_r = −½ (D1 H)_r + (i/2ω_r) Σ_j φ̄_jr (F_j + (D1 D0 H)_j); sets η."""
-        space, n, end = self.space, self.n, self.step
-        own = [{space.unit(2 * r): ONE} for r in range(n)]
-        omega = [space.poly(w) for w in self.omegas]
+        """a_r' − iω_r a_r = −½ (D1 H)_r + (i/2ω_r) Σ_j φ̄_jr (F_j + (D1 D0 H)_j); sets η.
+
+        A detuned named frequency adds i(ω_r − its resonant value)a_r.
+        """
+        space, n = self.space, self.n
+        own = [self.series({space.unit(2 * r): ONE}) for r in range(n)]
         phi = {jr: space.poly(e) for jr, e in self.shapes.items()}
         H = [self.forced(j) for j in range(n)]
         K = [self.turned(p) for p in H]
 
-        def spun(rows: list[Poly]) -> list[Poly]:
-            return [multiple(times(w, row), IOTA) for w, row in zip(omega, rows, strict=True)]
+        def spun(omegas: list[sp.Expr], rows: list[Graded]) -> list[Graded]:
+            pairs = zip((self.graded(sp.I * w) for w in omegas), rows, strict=True)
+            return [products(w, row) for w, row in pairs]
 
-        def real(j: int, rows: list[Poly]) -> Poly:
+        def real(j: int, rows: list[Graded]) -> Graded:
             """Σ_r φ_jr row_r + c.c."""
-            part = plus(*(times(p, rows[r]) for (k, r), p in phi.items() if k == j))
-            return plus(part, space.bar(part))
+            parts = [[times(p, g) for g in rows[r]] for (k, r), p in phi.items() if k == j]
+            total = sums(*parts)
+            return sums(total, [space.bar(g) for g in total])
 
-        x = [self.series(plus(real(j, own), H[j])) for j in range(n)]
-        v = [self.series(plus(real(j, spun(own)), K[j])) for j in range(n)]
-        rest = [self.series({}) for _ in range(n)]
+        x = [sums(real(j, own), self.series(H[j])) for j in range(n)]
+        v = [sums(real(j, spun(self.tuned, own)), self.series(K[j])) for j in range(n)]
+        resonant = spun(self.omegas, own)
+        gaps = [w - on for w, on in zip(self.tuned, self.omegas, strict=True)]
+        rest = spun(gaps, own)
+        late = [self.series(self.drift(p), self.step) for p in (*H, *K)]
         for _ in range(self.order):  # one order of the accelerations more each time
-            rows = [spun([g[s] for g in rest]) for s in range(self.order + 1)]
-            w = []
-            for j in range(n):
-                at_start = self.series(plus(real(j, spun(spun(own))), self.turned(K[j])))
-                later = self.series(self.drift(K[j]), end)
-                w.append(sums(at_start, later, [real(j, row) for row in rows]))
-            force = [self.along_motion(j, [*x, *v, *w]) for j in range(n)]
-            push = [sums(force[j], self.series(self.drift(K[j]), end)) for j in range(n)]
-            rest = []
+            pull = spun(self.tuned, [sums(a, b) for a, b in zip(resonant, rest, strict=True)])
+            start = [sums(self.series(self.turned(K[j])), late[n + j]) for j in range(n)]
+            w = [sums(start[j], real(j, pull)) for j in range(n)]
+            push = [sums(self.along_motion(j, [*x, *v, *w]), late[n + j]) for j in range(n)]
+            rest = spun(gaps, own)
             for r in range(n):
-                over = multiple(space.poly(1 / self.omegas[r]), IOTA * HALF)
-                parts = [self.series(multiple(self.drift(H[r]), -HALF), end)]
+                over = self.graded(sp.I / (2 * self.tuned[r]))
+                rest[r] = sums(rest[r], [multiple(g, -HALF) for g in late[r]])
                 for (j, mode), p in phi.items():
                     if mode == r:
-                        factor = times(over, space.bar(p))
-                        parts.append([times(factor, g) for g in push[j]])
-                rest.append(sums(*parts))
-        self.eta = [self.series(plus(own[r], space.bar(own[r]), H[r])) for r in range(n)]
+                        row = [times(space.bar(p), g) for g in push[j]]
+                        rest[r] = sums(rest[r], products(over, row))
+        self.eta = [sums(a, [space.bar(g) for g in a], self.series(h)) for a, h in zip(own, H)]
         return rest
 
     def along(self, change: list[Poly], p: Poly) -> Poly:

@@ -23,11 +23,13 @@ from systems import (
     d,
     equations,
     f,
+    k,
     kappa,
     mu,
     omega,
     omega_1,
     omega_2,
+    p,
     t,
     x,
     y,
@@ -43,15 +45,15 @@ CATALOGUE = sorted(
 LONG = {"ground_resonance": 1}  # entries with many long cases, and how many to do every day
 
 
-def coefficients(averaging: Averaging, p: Poly) -> dict[Key, Poly]:
+def coefficients(averaging: Averaging, rate: Poly) -> dict[Key, Poly]:
     """By powers of A and Ā, and the slow phase over t."""
     space, n, d = averaging.space, 2 * averaging.n, averaging.space.dynamic
     out: dict[Key, Poly] = {}
-    for k, c in p.items():
-        wave = (*k[:d], *(0,) * (len(k) - d))
+    for key, c in rate.items():
+        wave = (*key[:d], *(0,) * (len(key) - d))
         drift = averaging.drift({wave: -IOTA})
         angle = space.expression({(*(0,) * d, *m[d:]): e for m, e in drift.items()})
-        name, rest = (k[:n], sp.expand(angle)), {(*(0,) * d, *k[d:]): c}
+        name, rest = (key[:n], sp.expand(angle)), {(*(0,) * d, *key[d:]): c}
         out[name] = plus(out.get(name, {}), rest)
     return out
 
@@ -183,10 +185,28 @@ SYSTEMS: dict[str, tuple[Any, ...]] = {
     ),
     "coupled modes": (
         [
-            2 * d(x, 2) + kappa * d(y, 2) + omega_1**2 * x - beta * y + alpha * x**3,
-            d(y, 2) + kappa * d(x, 2) + omega_2**2 * y - beta * x + mu * d(y) * y,
+            2 * d(x, 2) + kappa * d(y, 2) + p * x - beta * y + alpha * x**3,
+            d(y, 2) + kappa * d(x, 2) + k * y - beta * x + mu * d(y) * y,
         ],
         {alpha: 1, mu: 1}, 0, None, 2,
+    ),
+    "coupled modes, one to two": (
+        [d(x, 2) + p * x - beta * y + alpha * x**2, d(y, 2) + k * y - beta * x + mu * d(x, 2) * y],
+        {alpha: 1, mu: 1}, 0, {omega_2: 2 * omega_1}, 2,
+    ),
+    "gyroscopic, driven": (
+        [
+            d(x, 2) - beta * d(y) + p * x + alpha * x**3 - f * quarter,
+            d(y, 2) + beta * d(x) + k * y + mu * (d(y) + d(x, 2)),
+        ],
+        {alpha: 1, mu: 1, f: 1}, 0, {Omega: omega_2}, 2,
+    ),
+    "gyroscopic, one to one": (
+        [
+            d(x, 2) - beta * d(y) + p * x + alpha * quarter * d(y, 2),
+            d(y, 2) + beta * d(x) + k * y + mu * x**2,
+        ],
+        {alpha: 1, mu: 1}, 0, {Omega: omega_2 - omega_1, omega_2: 2 * omega_1}, 2,
     ),
 }  # fmt: skip
 
