@@ -160,11 +160,14 @@ def _scalars(table: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _has_zone(case: Expansion, module: Any, values: Mapping[str, float]) -> bool:
-    """Whether edges are emitted, and the slow flow itself has a zone at these values."""
+    """Whether edges are emitted, and the slow flow has a zone at these values, also as ε → 0.
+
+    A damper of a lower order than the coupling closes it there.
+    """
     if not case.relations or not hasattr(module, "boundaries"):
         return False
-    slow = scaled_values(case, values, 1.0)[0]
-    return bool(np.all(np.isfinite(case.slow_flow.boundaries(slow))))
+    slow = [scaled_values(case, values, e)[0] for e in (1.0, EDGE_EPSILONS[-1])]
+    return all(bool(np.all(np.isfinite(case.slow_flow.boundaries(v)))) for v in slow)
 
 
 def predicted_exponents(case: Expansion, module: Any, slow: Mapping[str, float]) -> Any:

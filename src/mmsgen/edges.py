@@ -17,7 +17,7 @@ from flint import fmpq
 
 from .field import Coefficient, ParameterField
 
-__all__ = ["EdgeSeries", "edge_series", "weighted_parts"]
+__all__ = ["EdgeSeries", "by_weight", "edge_series", "shifted", "weighted_parts"]
 
 
 def weighted_parts(c: Coefficient, weights: Mapping[str, int]) -> dict[int, Coefficient]:
@@ -103,7 +103,7 @@ def edge_series(
     field = criterion[0].field
     centre: list[Coefficient] = []
     for start in range(weights[detuning], order + 1):
-        parts = _by_weight(criterion, weights, start)
+        parts = by_weight(criterion, weights, start)
         lowest = min(parts, default=0)
         lead = parts.get(lowest, {})
         if max(lead, default=0) != 2:
@@ -117,11 +117,11 @@ def edge_series(
             return EdgeSeries((*centre, *tail.rational), (*nothing, *tail.radical), radicand)
         root = -(p1 * p2.inverse()).scale(Fraction(1, 2))
         centre.append(root)
-        criterion = _shifted(criterion, root)
+        criterion = shifted(criterion, root)
     return None
 
 
-def _by_weight(
+def by_weight(
     criterion: Sequence[Coefficient], weights: Mapping[str, int], start: int
 ) -> dict[int, dict[int, Coefficient]]:
     """Order in ε → power of the detuning → coefficient, for a detuning of order `start`."""
@@ -132,7 +132,7 @@ def _by_weight(
     return parts
 
 
-def _shifted(criterion: Sequence[Coefficient], root: Coefficient) -> tuple[Coefficient, ...]:
+def shifted(criterion: Sequence[Coefficient], root: Coefficient) -> tuple[Coefficient, ...]:
     """The criterion in the detuning counted from `root`, by Horner's scheme."""
     result = list(criterion)
     for lowest in range(len(result) - 1):

@@ -131,7 +131,28 @@ class LinearFlow:
         case = self.flow.case
         sigmas = tuple(r.detuning for r in case.relations)
         weights = {**case.weak.scaled.generator_orders, **{str(s.name): 1 for s in sigmas}}
-        return stability(self.factors, case.symbols, case.parameters, sigmas, weights, case.order)
+        return stability(
+            self.factors,
+            case.symbols,
+            case.parameters,
+            sigmas,
+            weights,
+            case.order,
+            self._reach(),
+        )
+
+    def _reach(self) -> sp.Expr:
+        """Half of the frequencies that resonate, where the slow flow holds them.
+
+        Farther away a polynomial in the detuning that is cut after a few powers means nothing.
+        """
+        relations = self.flow.case.relations
+        if not relations:
+            return sp.oo
+        terms = sp.Add.make_args(sp.expand(relations[0].rhs))
+        half = sp.Add(*(abs(t.as_coeff_Mul()[0]) * t.as_coeff_Mul()[1] for t in terms)) / 2
+        known = half.free_symbols <= self.matrix.free_symbols
+        return half if known and half.is_positive else sp.oo
 
     @cached_property
     def _entries(self) -> Evaluator:

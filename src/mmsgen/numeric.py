@@ -35,8 +35,8 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
     Raises
     ------
     MmsgenError
-        If a value is given for an unknown parameter, twice, or is not a finite real number, or
-        if their shapes do not broadcast.
+        If a value is given for an unknown parameter, twice, is not a finite real number or has a
+        sign that its symbol excludes, or if their shapes do not broadcast.
     """
     known = by_name(parameters)
     table: dict[str, Any] = {}
@@ -53,6 +53,7 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
         if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
             raise MmsgenError(f"the value of {name} must be real and finite, got {value!r}")
         table[name] = number.astype(float)
+        _check_domain(known[name], table[name])
     _check_shapes(table)
     pending = {p.name: p.definition for p in parameters if p.definition and p.name not in table}
     while pending:
@@ -107,6 +108,20 @@ def _common_parts(
         own = short(expression)
         parts.append((name, own))
     return parts, [short(e) for e in reduced]
+
+
+def _check_domain(parameter: Parameter, number: Any) -> None:
+    """The sign that is declared of the symbol."""
+    symbol = parameter.symbol
+    for declared, wrong, text in (
+        (symbol.is_positive, number <= 0.0, "positive"),
+        (symbol.is_negative, number >= 0.0, "negative"),
+        (symbol.is_nonnegative, number < 0.0, "zero or positive"),
+        (symbol.is_nonpositive, number > 0.0, "zero or negative"),
+    ):
+        if declared and np.any(wrong):
+            value = np.ravel(number)[np.argmax(np.ravel(wrong))]
+            raise MmsgenError(f"{parameter.name} must be {text}, got {float(value)!r}")
 
 
 def _check_shapes(table: Mapping[str, Any]) -> None:

@@ -271,13 +271,13 @@ def test_quadratic_roots_without_cancellation() -> None:
 def test_zone_agrees_with_roots_that_are_known() -> None:
     # −(σ+3)(σ+1)(σ−2)(σ−5) is positive in (−3, −1) and (2, 5): the former is nearer to zero.
     one = np.polynomial.polynomial.polyfromroots([-3, -1, 2, 5]) * -1.0
-    assert zone(*one) == pytest.approx((-3, -1), rel=1e-14)
-    assert np.isnan(zone(-1.0, 0.0, -1.0)).all()
-    assert np.array(zone(1.0, 0.0, 0.0)).tolist() == [-np.inf, np.inf]
-    assert np.array(zone(-1.0, 2.0, 0.0)).tolist() == [0.5, np.inf]
-    assert np.isnan(zone(0.0, 0.0, 0.0)).all()
+    assert zone(tuple(one)) == pytest.approx((-3, -1), rel=1e-14)
+    assert np.isnan(zone((-1.0, 0.0, -1.0))).all()
+    assert np.array(zone((1.0, 0.0, 0.0))).tolist() == [-np.inf, np.inf]
+    assert np.array(zone((-1.0, 2.0, 0.0))).tolist() == [0.5, np.inf]
+    assert np.isnan(zone((0.0, 0.0, 0.0))).all()
     # Degrees may differ from point to point.
-    ends = np.array(zone([1.0, -1.0, 4.0], 0.0, [-1.0, 0.0, -1.0]))
+    ends = np.array(zone(([1.0, -1.0, 4.0], 0.0, [-1.0, 0.0, -1.0])))
     assert np.array_equal(ends, [[-1.0, np.nan, -2.0], [1.0, np.nan, 2.0]], equal_nan=True)
 
 

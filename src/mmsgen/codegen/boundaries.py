@@ -21,7 +21,7 @@ __all__ = [
     "boundary_kernel",
     "boundary_parameters",
     "boundary_values",
-    "distance_to_edge",
+    "edge_values",
 ]
 
 EDGES = ("lower", "upper")
@@ -35,21 +35,41 @@ def boundary_parameters(setting: Setting) -> tuple[Parameter, ...]:
 def boundary_kernel(setting: Setting) -> Kernel | None:
     """The formula of both edges; None for a case that cannot be unstable."""
     arguments = [p.symbol for p in boundary_parameters(setting)]
-    names = [s.name for s in arguments]
     title = f"{setting.name}.boundaries"
-    edges = setting.edges
-    if edges == ():
+    if not setting.criteria:
         return None
-    if edges is not None:
-        keys = [fresh(edge, names) for edge in EDGES]
-        ir = compute_ir(title, arguments, dict(zip(keys, edges, strict=True)))
-        if setting.poles:
-            return Kernel("_boundaries", ir, (("return defined", tuple(keys)),), uses=("defined",))
-        return Kernel("_boundaries", ir, (("return ", tuple(keys)),))
-    criterion = setting.criterion
-    keys = [fresh(f"p{k}", names) for k in range(len(criterion))]
-    ir = compute_ir(title, arguments, dict(zip(keys, criterion, strict=True)))
-    return Kernel("_boundaries", ir, (("return zone", tuple(keys)),), uses=("zone",))
+    outputs = _outputs(setting)
+    ir = compute_ir(title, arguments, outputs)
+    if setting.edges:
+        return Kernel("_boundaries", ir, (("return defined", tuple(outputs)),), uses=("defined",))
+    keys = iter(outputs)
+    items = []
+    for item in setting.criteria:
+        texts = [_tuple([next(keys) for _ in polynomial]) for polynomial in item]
+        items.append(texts[0] if len(texts) == 1 else _tuple(texts))
+    items += [f"reach={key}" for key in keys]
+    return Kernel("_boundaries", ir, (("return zone", tuple(items)),), uses=("zone",))
+
+
+def _tuple(items: list[str]) -> str:
+    return f"({items[0]},)" if len(items) == 1 else f"({', '.join(items)})"
+
+
+def _outputs(setting: Setting) -> dict[str, sp.Expr]:
+    """What the kernel computes: both edges, or the coefficients of the criteria; and the reach."""
+    names = [p.name for p in boundary_parameters(setting)]
+    outputs: dict[str, sp.Expr] = {}
+    if setting.edges:
+        outputs = {fresh(n, names): e for n, e in zip(EDGES, setting.edges, strict=True)}
+    else:
+        for i, item in enumerate(setting.criteria):
+            for stem, polynomial in zip(("damping", "p")[-len(item) :], item, strict=True):
+                number = f"{i + 1}_" if len(setting.criteria) > 1 else ""
+                for k, e in enumerate(polynomial):
+                    outputs[fresh(f"{stem}{number}{k}", names)] = e
+    if setting.reach.is_finite:
+        outputs[fresh("reach", names)] = setting.reach
+    return outputs
 
 
 def boundary_function(setting: Setting) -> EmittedFunction:
@@ -85,31 +105,50 @@ def boundary_function(setting: Setting) -> EmittedFunction:
 def _description(setting: Setting, kernel: Kernel | None) -> str:
     if kernel is None:
         return "This case cannot be unstable for any detuning: NaN everywhere."
-    if setting.edges is None:
-        return (
-            "The interval nearest to zero in which the polynomial with the coefficients p0, p1, … "
-            "(lowest power first) is positive; infinite where the interval has no end."
+    detuning = setting.detunings[0].name if setting.detunings else "a detuning"
+    if setting.edges:
+        text = (
+            "In closed form: the roots of a quadratic in it, between which growth_rate is positive."
         )
-    text = "In closed form, expanded in the small parameters to the order of this case."
-    powers = {power for edge in setting.edges for power in edge.atoms(sp.Pow)}
-    below = {s for power in powers if power.exp.is_negative for s in power.base.free_symbols}
-    vanishing = [p.name for p in setting.parameters if p.symbol in below and _may_vanish(p)]
-    if vanishing:
+    else:
+        text = (
+            f"The interval of {detuning} in which growth_rate is positive: where one of the "
+            "polynomials with the coefficients in `_boundaries` (lowest power first) is. Infinite "
+            "where the interval has no end."
+        )
+    power = setting.case.order + 1
+    text += (
+        f" Order {setting.case.order} leaves out terms of the edges from ε^{power} on; by as much "
+        "differs the formula of SlowFlow.boundary(), which is expanded in ε."
+    )
+    if setting.reach.is_finite:
         text += (
-            f" No finite number where {' or '.join(vanishing)} is zero: what damping does as it "
-            "vanishes depends on its distribution. Emit the undamped case for that."
+            " Of several intervals the one nearest to zero, and none that begins farther from it "
+            f"than {setting.reach}, half of the frequencies that resonate; SlowFlow.zones() gives "
+            "all of them."
         )
+    else:
+        text += " Of several intervals the one nearest to zero; SlowFlow.zones() gives all of them."
     return text
 
 
-def _may_vanish(parameter: Parameter) -> bool:
-    return not (parameter.symbol.is_positive or parameter.symbol.is_negative)
+def edge_values(setting: Setting, arguments: Mapping[str, Any]) -> tuple[Any, Any]:
+    """Both edges from the symbolic result, to the working precision of mpmath."""
+    if setting.edges:
+        pair = [exact(edge, arguments) for edge in setting.edges]
+        lower, upper = pair
+        reach = _reach_at(setting, arguments)
+        if not (lower <= reach and upper >= -reach):
+            return mpmath.nan, mpmath.nan
+        return lower, upper
+    lower, upper, _ = _zone(_polynomials_at(setting, arguments), _reach_at(setting, arguments))
+    return lower, upper
 
 
 def boundary_values(
     setting: Setting, kernel: Kernel | None, arguments: Mapping[str, Any]
 ) -> tuple[Rounded, Rounded]:
-    """Both edges from the symbolic result, with bounds of the error in double precision.
+    """Both edges, with bounds of the error in double precision.
 
     Parameters
     ----------
@@ -123,53 +162,68 @@ def boundary_values(
         nothing = Rounded(mpmath.nan, mpmath.mpf(0))
         return nothing, nothing
     errors = [own.error for own in rounded(kernel.ir, arguments).values()]
-    edges = setting.edges
-    if edges:
-        values = [exact(edge, arguments) for edge in edges]
-        lower, upper = map(Rounded, values, errors)
+    if setting.edges:
+        lower, upper = map(Rounded, edge_values(setting, arguments), errors[:2])
         return lower, upper
-    return _zone(list(map(Rounded, _criterion_at(setting, arguments), errors)))
+    polynomials = _polynomials_at(setting, arguments)
+    low, high, breaks = _zone(polynomials, _reach_at(setting, arguments))
+    counted = iter(errors)
+    own: list[list[Any]] = []
+    for item in setting.criteria:
+        own += [[next(counted) for _ in polynomial] for polynomial in item][-1:]
+    ends = []
+    for x in (low, high):
+        # The polynomial that has its root there.
+        k = next((k for k, roots in enumerate(breaks) if x in roots), None)
+        error = mpmath.mpf(0) if k is None else _end_error(polynomials[k], own[k], x)
+        ends.append(Rounded(x, error))
+    return ends[0], ends[1]
 
 
-def _criterion_at(setting: Setting, arguments: Mapping[str, Any]) -> list[Any]:
-    return [exact(c, arguments) for c in setting.criterion]
+def _reach_at(setting: Setting, arguments: Mapping[str, Any]) -> Any:
+    return exact(setting.reach, arguments) if setting.reach.is_finite else mpmath.inf
 
 
-def distance_to_edge(setting: Setting, sigma: Any, arguments: Mapping[str, Any], edge: int) -> Any:
-    """Zero exactly where the detuning is on an edge: its distance, or the criterion there.
-
-    Parameters
-    ----------
-    setting : Setting
-    sigma : mpmath.mpf
-        The first detuning.
-    arguments : mapping
-        Those of `boundaries`.
-    edge : int
-        0 for the lower one, 1 for the upper one; a criterion does not tell them apart.
-    """
-    edges = setting.edges
-    if edges:
-        return sigma - exact(edges[edge], arguments)
-    return mpmath.polyval(_criterion_at(setting, arguments)[::-1], sigma)
+def _polynomials_at(setting: Setting, arguments: Mapping[str, Any]) -> list[list[Any]]:
+    """The polynomials that count, at numbers, zero where another one decides."""
+    result = []
+    for item in setting.criteria:
+        *first, values = ([exact(c, arguments) for c in polynomial] for polynomial in item)
+        result.append([mpmath.mpf(0)] * len(values) if any(map(any, first)) else values)
+    return result
 
 
-def _zone(polynomial: list[Rounded]) -> tuple[Rounded, Rounded]:
-    """The interval nearest to zero in which a polynomial is positive."""
-    values = [c.value for c in polynomial]
-    roots = mpmath.polyroots(values[::-1], maxsteps=200, extraprec=200)
-    noise = mpmath.mpf(10) ** (8 - mpmath.mp.dps) * max(map(abs, roots), default=mpmath.mpf(0))
-    real = sorted(mpmath.re(z) for z in roots if abs(mpmath.im(z)) < noise)
-    ends = [-mpmath.inf, *real, mpmath.inf]
-    best = (mpmath.nan, mpmath.nan)
-    distance = mpmath.inf
+def _zone(polynomials: list[list[Any]], reach: Any) -> tuple[Any, Any, list[list[Any]]]:
+    """The interval nearest to zero in which a polynomial is positive, and where each has roots."""
+    if not all(mpmath.isfinite(c) for p in polynomials for c in p):
+        return mpmath.nan, mpmath.nan, []
+    breaks = [_breaks(p) for p in polynomials]
+    ends = [-mpmath.inf, *sorted({x for roots in breaks for x in roots}), mpmath.inf]
+    zones: list[tuple[Any, Any]] = []
     for low, high in pairwise(ends):
         inside = _between(low, high)
-        gap = max(low, -high, mpmath.mpf(0))
-        if mpmath.polyval(values[::-1], inside) > 0 and gap < distance:
-            best, distance = (low, high), gap
-    lower, upper = (Rounded(x, _end_error(polynomial, x)) for x in best)
-    return lower, upper
+        if any(mpmath.polyval(p[::-1], inside) > 0 for p in polynomials):
+            if zones and zones[-1][1] == low:
+                zones[-1] = zones[-1][0], high
+            else:
+                zones.append((low, high))
+
+    def gap(zone: tuple[Any, Any]) -> Any:
+        return max(zone[0], -zone[1], mpmath.mpf(0))
+
+    zones = [zone for zone in zones if gap(zone) <= reach]
+    return (*min(zones, key=gap, default=(mpmath.nan, mpmath.nan)), breaks)
+
+
+def _breaks(polynomial: list[Any]) -> list[Any]:
+    """Real parts of all roots: those of complex pairs separate nothing."""
+    values = list(polynomial)
+    while values and not values[-1]:
+        values.pop()
+    if len(values) < 2:
+        return []
+    roots = mpmath.polyroots(values[::-1], maxsteps=500, extraprec=200)
+    return [mpmath.re(z) for z in roots]
 
 
 def _between(low: Any, high: Any) -> Any:
@@ -178,12 +232,9 @@ def _between(low: Any, high: Any) -> Any:
     return low + 1 + abs(low) if mpmath.isinf(high) else (low + high) / 2
 
 
-def _end_error(polynomial: list[Rounded], x: Any) -> Any:
+def _end_error(values: list[Any], errors: list[Any], x: Any) -> Any:
     """What errors of the coefficients, and Newton's last step, make of a root."""
-    if not mpmath.isfinite(x):
-        return mpmath.mpf(0)
-    values = [c.value for c in polynomial]
     slope = abs(mpmath.fsum(k * c * x ** (k - 1) for k, c in enumerate(values) if k))
-    own = mpmath.fsum(c.error * abs(x) ** k for k, c in enumerate(polynomial))
+    own = mpmath.fsum(error * abs(x) ** k for k, error in enumerate(errors))
     steps = 2 * len(values) * UNIT * mpmath.fsum(abs(c * x**k) for k, c in enumerate(values))
     return (own + steps) / slope + 2 * UNIT * abs(x)

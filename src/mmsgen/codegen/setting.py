@@ -165,7 +165,7 @@ class Setting:
         if self.linear is None:
             return "the slow flow is nonlinear or forced"
         try:
-            self.linear.stability.critical
+            self.linear.stability.criteria
         except ExpansionError as error:
             return str(error)
         return ""
@@ -180,20 +180,43 @@ class Setting:
 
     @cached_property
     def edges(self) -> tuple[sp.Expr, ...] | None:
-        """Both edges in closed form; empty where there are none, None where there is no form."""
+        """Both edges in closed form; empty where there are none, None where there is no form.
+
+        The roots of a criterion that is a parabola open downwards for all parameters.
+        """
         assert self.linear is not None
-        try:
-            return tuple(self.linear.stability.boundary())
-        except ExpansionError:
+        stability = self.linear.stability
+        if not stability.criteria:
+            return ()
+        only = stability.criteria[0]
+        if len(stability.criteria) > 1 or len(only.polynomials) > 1 or only.undamped:
             return None
+        (parabola,) = only.polynomials
+        if len(parabola) != 3 or stability.domain.strict_sign(parabola[2]) != -1:
+            return None
+        p0, p1, p2 = parabola
+        root = sp.sqrt(self.parts(p1 * p1 - (p0 * p2).scale(4))[0])
+        slope, scale = self.parts(p1)[0], -2 * self.parts(p2)[0]
+        return (slope - root) / scale, (slope + root) / scale
 
     @cached_property
-    def criterion(self) -> tuple[sp.Expr, ...]:
-        """The polynomial in the first detuning that is positive in the zone, lowest power first."""
+    def criteria(self) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
+        """Polynomials in the first detuning, lowest power first: one is positive in a zone.
+
+        Each one by itself, or after another: it then counts where that vanishes identically.
+        """
         assert self.linear is not None
-        critical = self.linear.stability.critical
-        assert critical is not None
-        return tuple(self.parts(c)[0] for c in critical.criterion)
+        items: list[tuple[tuple[Coefficient, ...], ...]] = []
+        for c in self.linear.stability.criteria:
+            items += [(p,) for p in c.polynomials]
+            items += [(c.damping, c.undamped)] if c.undamped else []
+        return tuple(tuple(tuple(self.parts(x)[0] for x in p) for p in i) for i in items)
+
+    @cached_property
+    def reach(self) -> sp.Expr:
+        """How far from the resonance a zone may begin; infinite where that is not known."""
+        assert self.linear is not None
+        return self.linear.stability.reach
 
     @cached_property
     def poles(self) -> tuple[str, ...]:

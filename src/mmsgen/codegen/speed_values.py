@@ -9,7 +9,7 @@ import mpmath
 import sympy as sp
 
 from ..ir import IR
-from .boundaries import boundary_values, distance_to_edge
+from .boundaries import boundary_values, edge_values
 from .exact import exact
 from .kernels import Kernel
 from .rounding import UNIT, Rounded, rounded
@@ -86,11 +86,9 @@ def _bounded(
     tolerance = mpmath.mpf(10) ** (10 - mpmath.mp.dps) * abs(root)
     if not (root > 0 and abs(edge.value - first) < tolerance):
         return Rounded(mpmath.nan, mpmath.mpf(0))
-    # How the gap between detuning and edge depends on the frequency, and on the detuning alone.
+    # How the gap between detuning and edge depends on the frequency.
     total = _slope(lambda x: _gap(setting, at(x), k), root)
-    values = dict(rest)
-    alone = _slope(lambda x: distance_to_edge(setting, x, values, k), first)
-    slope = abs(total / alone)
+    slope = abs(total)
     names = {} if len(ir.arguments) == len(arguments) else {ir.arguments[0].name: root}
     inner = rounded(ir, {**arguments, **names})
     # An error of the frequencies goes into the detuning as it is, and through the boundary, which
@@ -102,7 +100,7 @@ def _bounded(
 
 def _gap(setting: Setting, outputs: dict[str, Any], k: int) -> Any:
     (_, sigma), *rest = outputs.items()
-    return distance_to_edge(setting, sigma, dict(rest), k)
+    return sigma - edge_values(setting, dict(rest))[k]
 
 
 def _slope(function: Callable[[Any], Any], x: Any) -> Any:
