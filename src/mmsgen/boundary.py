@@ -43,8 +43,7 @@ class Stability:
     domain : Domain
         What is declared of the parameters.
     reach : sympy.Expr
-        How far a zone may begin from the resonance to count as its own; infinite where the slow
-        flow does not hold the frequencies of the resonance.
+        Half of the frequencies that resonate; infinite where the slow flow does not hold them.
     """
 
     verdicts: tuple[FactorVerdict, ...]
@@ -141,11 +140,20 @@ class Stability:
                 raise ExpansionError(f"{v.reason}: there is no boundary; use growth_rate")
         return tuple(v.criteria for v in wanted if v.criteria is not None)
 
+    @cached_property
+    def farthest(self) -> sp.Expr:
+        """How far from the resonance a zone may begin; infinite for criteria that are parabolas.
+
+        Those of a higher degree have roots far away that mean nothing.
+        """
+        polynomials = (p for c in self.criteria for p in (*c.polynomials, c.undamped))
+        return self.reach if any(len(p) > 3 for p in polynomials) else sp.oo
+
     def boundaries(self, values: Mapping[Any, Any]) -> Any:
         """Both edges for numbers; NaN where there is no unstable interval.
 
         Of the intervals in which a criterion is positive, that nearest to the resonance; none that
-        begins farther away than half of the frequencies that resonate.
+        begins farther away than `farthest`.
         """
         shape, polynomials, reach = self._numbers(values)
         zones = unstable_zone(*polynomials, reach=reach) if polynomials else np.nan

@@ -2,9 +2,9 @@
 
 A criterion may be a polynomial in a detuning and in quantities that are small. That it is never
 positive is proved in one of two ways: every term, or the quadratic as a whole, has the sign for all
-values; or the terms of lowest order have it, and each further term is one of them times something
-small. The second holds for all quantities that are small enough, *whatever their ratios*. That the
-terms of lowest order have the sign is not enough: with x = ε², −x² + ε³ is positive.
+values; or some of the terms have it, and each other term is one of them times something small. The
+second holds for all quantities that are small enough, *whatever their ratios*. That the terms of
+lowest order have the sign is not enough: with x = ε², −x² + ε³ is positive.
 """
 
 from __future__ import annotations
@@ -46,12 +46,15 @@ class Domain:
         return None if top is None or below is None else top * below
 
     def strict_sign(self, c: Coefficient) -> int | None:
-        """The sign of a coefficient that vanishes nowhere; None if it may vanish."""
+        """The sign of a coefficient that vanishes nowhere; None if it may vanish.
+
+        Where a divisor vanishes nothing is defined: only its sign counts.
+        """
         if set(c.num) != {0}:
             return None
         polynomial = c.num[0]
         factors = [p for p, _ in polynomial.factor()[1]]
-        for p in (*factors, *(c.field.divisors[m] for m in c.den)):
+        for p in factors:
             used = {n for n, d in zip(c.field.names, p.degrees(), strict=True) if d}
             if not used <= self.positive or len({q > 0 for q in p.coeffs()}) > 1:
                 return None
@@ -118,8 +121,14 @@ def never_positive(
             return True
     names = criterion[0].field.names
     small = {n: w for n, w in weights.items() if w and n in names and n != detuning}
+    if any(_divided_by(c, small) for c in criterion):
+        return False
+    if len(criterion) == 3:
+        p0, p1, p2 = criterion
+        if all(_dominated((c,), small, 1, domain) for c in (p0, p2, p1 * p1 - (p0 * p2).scale(4))):
+            return True
     start = 1 if detuning is None else weights[detuning]
-    while start <= order + 1 and not any(_divided_by(c, small) for c in criterion):
+    while start <= order + 1:
         parts = by_weight(criterion, small, start)
         lead = parts[min(parts)]
         if _dominated(criterion, small, start, domain):
@@ -130,6 +139,8 @@ def never_positive(
             start += 1
             continue
         root = -(lead[1] * lead[2].inverse()).scale(Fraction(1, 2))
+        if _divided_by(root, small):
+            return False
         criterion = shifted(criterion, root)
     return False
 
@@ -150,17 +161,28 @@ def _dominated(
             terms[power, *exponents] = part
     weights = (start, *small.values())
     orders = {e: sum(a * w for a, w in zip(e, weights, strict=True)) for e in terms}
-    lowest = min(orders.values(), default=0)
-    leading = [e for e, order in orders.items() if order == lowest]
-    for e in leading:
-        turn = 1
-        for name, exponent in zip(("", *small), e, strict=True):
-            if exponent % 2 and name not in domain.nonnegative | domain.negative:
-                return False
-            turn *= -1 if exponent % 2 and name in domain.negative else 1
-        if domain.strict_sign(terms[e]) != -turn:
+    negative = {e for e, c in terms.items() if _is_negative(e, c, tuple(small), domain)}
+
+    def smaller(e: tuple[int, ...]) -> bool:
+        """Whether a term is a negative one times something small."""
+        return any(
+            orders[e] > orders[f] and all(a >= b for a, b in zip(e, f, strict=True))
+            for f in negative
+        )
+
+    return all(e in negative or smaller(e) for e in terms)
+
+
+def _is_negative(
+    exponents: tuple[int, ...], c: Coefficient, small: tuple[str, ...], domain: Domain
+) -> bool:
+    """Whether a monomial is nowhere positive, and zero only where something small in it is."""
+    turn = 1
+    for name, exponent in zip(("", *small), exponents, strict=True):
+        if exponent % 2 and name not in domain.nonnegative | domain.negative:
             return False
-    return all(any(all(a >= b for a, b in zip(e, f, strict=True)) for f in leading) for e in terms)
+        turn *= -1 if exponent % 2 and name in domain.negative else 1
+    return domain.strict_sign(c) == -turn
 
 
 def _monomials(c: Coefficient, small: tuple[str, ...]) -> dict[tuple[int, ...], Coefficient]:

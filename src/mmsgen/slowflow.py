@@ -284,9 +284,10 @@ class SlowFlow:
         Between them `growth_rate` is positive: they are the roots of a polynomial criterion of the
         slow flow as it stands, not re-expanded in ε, and differ from the formula of `boundary` by
         O(ε^{N+1}). The emitted `boundaries` and `critical_speeds` give the same. Where there are
-        several intervals, `zones` lists them; this is the one nearest to the resonance, σ = 0. None
-        counts that begins farther away than half of the frequencies that resonate, where a slow
-        flow cut after a few powers of σ means nothing.
+        several intervals, `zones` lists them; this is the one nearest to the resonance, σ = 0.
+        Where the criterion is of a higher degree than two in σ, none counts that begins farther
+        away than half of the frequencies that resonate: out there a polynomial that is cut after
+        a few powers means nothing.
 
         Parameters
         ----------

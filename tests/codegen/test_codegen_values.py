@@ -175,6 +175,19 @@ def test_boundaries_from_a_polynomial_against_the_engine() -> None:
         assert np.abs(own - other).max() < 1e-12 * np.abs(own).max() * 100
 
 
+def test_of_two_zones_the_one_nearest_to_resonance() -> None:
+    """Two directions of the fuselage, 3 rad/s apart, each with a zone of its own."""
+    one = emitted("coupled")
+    values = {"sigma_2": 3.0, "r_m": 1 / 38, "r_b": 0.174, "omega_x": 6 * np.pi, "omega_phi": 11.0}
+    zones = one.case.slow_flow.zones(values)
+    assert len(zones) == 2 and (zones[:, 0] < zones[:, 1]).all() and zones[0, 1] < zones[1, 0]
+    assert one.module.boundaries(**values) == pytest.approx(zones[0], rel=1e-12)
+    sigma = np.linspace(-15, 25, 4001)
+    growing = one.module.growth_rate(**values, sigma_1=sigma) > 0
+    inside = ((zones[:, :1] < sigma) & (sigma < zones[:, 1:])).any(axis=0)
+    assert np.array_equal(growing, inside)
+
+
 @pytest.mark.parametrize("name", ["rotor", "rotor2", "mathieu", "damped", "pair", "coupled"])
 def test_growth_begins_at_the_edges(name: str) -> None:
     one = emitted(name)

@@ -94,7 +94,9 @@ def _concave(
     for _ in range(6 if degree > 2 else 0):
         slope, curvature = _horner(first, top)
         top = np.where(bent[:, None], top - slope / curvature, 0.0)
-    height = _horner(table, top)[0]
+    height, slope = _horner(table, top)
+    # How much higher the maximum can be than where Newton's method stopped.
+    more = slope * slope / np.where(bent, -second[:, 0] - powered.sum(axis=-1), 1.0)[:, None]
     half = np.sqrt(np.maximum(height, 0.0) / np.where(bent, -second[:, 0] / 2.0, 1.0)[:, None])
     ends = np.concatenate((top - half, top + half), axis=-1)
     step = np.zeros_like(ends)
@@ -106,7 +108,8 @@ def _concave(
             break
         ends = np.where(closer, ends - step, ends)
     settled = (np.abs(step) <= 1e-9 * half).all(axis=-1) & (np.abs(ends).max(axis=-1) <= inside)
-    none = height[:, 0] <= 0.0
+    none = (height + more)[:, 0] <= 0.0
+    settled &= (height[:, 0] > 0.0) & (ends[:, 0] < top[:, 0]) & (top[:, 0] < ends[:, 1])
     ends[none] = np.nan
     return ends, bent & (np.abs(top[:, 0]) <= inside) & (none | settled)
 

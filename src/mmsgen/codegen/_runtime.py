@@ -214,10 +214,10 @@ def evaluate_array(
     return out
 
 
-def defined(lower: Any, upper: Any, reach: Any = np.inf) -> tuple[Any, Any]:
-    """NaN for both edges where a divisor in their formula vanishes, or which are out of reach."""
-    found = np.isfinite(lower) & np.isfinite(upper) & (lower <= reach) & (upper >= -reach)
-    return np.where(found, lower, np.nan), np.where(found, upper, np.nan)
+def defined(lower: Any, upper: Any) -> tuple[Any, Any]:
+    """NaN for both edges where a divisor in their formula vanishes."""
+    finite = np.isfinite(lower) & np.isfinite(upper)
+    return np.where(finite, lower, np.nan), np.where(finite, upper, np.nan)
 
 
 def no_edges(*arguments: Any) -> tuple[float, float]:

@@ -40,6 +40,8 @@ def boundary_kernel(setting: Setting) -> Kernel | None:
         return None
     outputs = _outputs(setting)
     ir = compute_ir(title, arguments, outputs)
+    if setting.edges and not setting.poles:
+        return Kernel("_boundaries", ir, (("return ", tuple(outputs)),))
     if setting.edges:
         return Kernel("_boundaries", ir, (("return defined", tuple(outputs)),), uses=("defined",))
     keys = iter(outputs)
@@ -135,11 +137,7 @@ def _description(setting: Setting, kernel: Kernel | None) -> str:
 def edge_values(setting: Setting, arguments: Mapping[str, Any]) -> tuple[Any, Any]:
     """Both edges from the symbolic result, to the working precision of mpmath."""
     if setting.edges:
-        pair = [exact(edge, arguments) for edge in setting.edges]
-        lower, upper = pair
-        reach = _reach_at(setting, arguments)
-        if not (lower <= reach and upper >= -reach):
-            return mpmath.nan, mpmath.nan
+        lower, upper = (exact(edge, arguments) for edge in setting.edges)
         return lower, upper
     lower, upper, _ = _zone(_polynomials_at(setting, arguments), _reach_at(setting, arguments))
     return lower, upper
@@ -163,7 +161,7 @@ def boundary_values(
         return nothing, nothing
     errors = [own.error for own in rounded(kernel.ir, arguments).values()]
     if setting.edges:
-        lower, upper = map(Rounded, edge_values(setting, arguments), errors[:2])
+        lower, upper = map(Rounded, edge_values(setting, arguments), errors)
         return lower, upper
     polynomials = _polynomials_at(setting, arguments)
     low, high, breaks = _zone(polynomials, _reach_at(setting, arguments))

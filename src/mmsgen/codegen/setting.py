@@ -195,9 +195,14 @@ class Setting:
         if len(parabola) != 3 or stability.domain.strict_sign(parabola[2]) != -1:
             return None
         p0, p1, p2 = parabola
-        root = sp.sqrt(self.parts(p1 * p1 - (p0 * p2).scale(4))[0])
-        slope, scale = self.parts(p1)[0], -2 * self.parts(p2)[0]
-        return (slope - root) / scale, (slope + root) / scale
+        bend = -self.parts(p2)[0]
+        centre = self.parts(p1)[0] / (2 * bend)
+        series = None if stability.critical is None else stability.critical.edges
+        if series is not None and series.radical[0]:
+            root = sp.sqrt(centre**2 + self.parts(p0)[0] / bend)
+        else:  # a zone that is narrow beside the shift of its centre, which would cancel
+            root = sp.sqrt(self.parts(p1 * p1 - (p0 * p2).scale(4))[0]) / (2 * bend)
+        return centre - root, centre + root
 
     @cached_property
     def criteria(self) -> tuple[tuple[tuple[sp.Expr, ...], ...], ...]:
@@ -216,7 +221,7 @@ class Setting:
     def reach(self) -> sp.Expr:
         """How far from the resonance a zone may begin; infinite where that is not known."""
         assert self.linear is not None
-        return self.linear.stability.reach
+        return self.linear.stability.farthest
 
     @cached_property
     def poles(self) -> tuple[str, ...]:
