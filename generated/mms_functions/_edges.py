@@ -24,28 +24,44 @@ EPS = 2.0**-52
 # --- the unstable interval of a detuning ----------------------------------------------------------
 
 
-def zone(*coefficients: Any) -> tuple[Any, Any]:
-    """Ends of the interval nearest to zero on which a real polynomial is positive.
+def zone(*criteria: Any, reach: Any = np.inf) -> tuple[Any, Any]:
+    """Ends of the interval nearest to zero on which one of several real polynomials is positive.
 
     Parameters
     ----------
-    *coefficients : array_like
-        Lowest power first.
+    *criteria : tuple of array_like
+        Coefficients of a polynomial, lowest power first; or a pair of polynomials, the second of
+        which counts where the first one vanishes identically.
+    reach : array_like
+        How far the interval may be from zero.
 
     Returns
     -------
     lower, upper : numpy.ndarray
         Infinite where the interval has no end, NaN where there is none.
     """
-    table = stacked([np.asarray(c, dtype=np.float64) for c in coefficients])
+    plain = [_where_first_vanishes(*c) if isinstance(c[0], tuple) else c for c in criteria]
+    numbers = [reach, *(c for polynomial in plain for c in polynomial)]
+    table = stacked([np.asarray(c, dtype=np.float64) for c in numbers])
     shape, flat = table.shape[:-1], table.reshape(-1, table.shape[-1])
     ends = np.full((len(flat), 2), np.nan)
-    finite = np.isfinite(flat).all(axis=-1)
-    highest = flat.shape[-1] - 1 - np.argmax(flat[:, ::-1] != 0.0, axis=-1)
-    for degree in np.unique(highest[finite]):
-        rows = finite & (highest == degree)
-        ends[rows] = _intervals(flat[rows, : int(degree) + 1])
+    rows = np.flatnonzero(np.isfinite(flat[:, 1:]).all(axis=-1))
+    limit, values = flat[rows, 0], flat[rows, 1:]
+    if len(plain) == 1 and len(plain[0]) > 2:
+        ends[rows], done = _concave(values, limit)
+        rows, limit, values = rows[~done], limit[~done], values[~done]
+    if len(rows):
+        places = np.cumsum([len(polynomial) for polynomial in plain])[:-1]
+        ends[rows] = _intervals(np.split(values, places, axis=1), limit)
+    gap = np.maximum(np.maximum(ends[:, 0], -ends[:, 1]), 0.0)
+    ends[~(gap <= flat[:, 0])] = np.nan
     return ends[:, 0].reshape(shape), ends[:, 1].reshape(shape)
+
+
+def _where_first_vanishes(first: Sequence[Any], second: Sequence[Any]) -> list[Any]:
+    """The second polynomial, zero where the first one is not."""
+    other = np.any(np.broadcast_arrays(*(np.asarray(c) != 0.0 for c in first)), axis=0)
+    return [np.where(other, 0.0, c) for c in second]
 
 
 def _horner(table: NDArray[np.float64], x: NDArray[np.float64]) -> Any:
@@ -58,19 +74,77 @@ def _horner(table: NDArray[np.float64], x: NDArray[np.float64]) -> Any:
     return value, slope
 
 
-def _intervals(table: NDArray[np.float64]) -> NDArray[np.float64]:
-    """As `zone`, for polynomials of one degree."""
-    count, degree = len(table), table.shape[1] - 1
-    inner = np.empty((count, 0))
-    if degree:
-        roots = companion_roots(table[:, :-1] / table[:, -1:])
-        inner = np.sort(np.where(roots.imag == 0.0, roots.real, np.nan), axis=-1)
+def _concave(
+    table: NDArray[np.float64], reach: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
+    """The interval of polynomials that are concave as far as `reach`, and where they are.
+
+    There is one maximum then; from where a parabola through it would end, Newton's method cannot
+    miss the ends.
+    """
+    degree = table.shape[1] - 1
+    powers = np.arange(degree + 1.0)
+    second = (table * powers * (powers - 1.0))[:, 2:]
+    rest = np.abs(second[:, 1:])
+    powered = np.where(rest == 0.0, 0.0, rest * reach[:, None] ** powers[1 : degree - 1])
+    bent = powered.sum(axis=-1) < -second[:, 0]
+    inside = np.where(rest.any(axis=-1), reach, np.inf)
+    first = (table * powers)[:, 1:]
+    top = np.where(bent, -table[:, 1] / np.where(bent, 2.0 * table[:, 2], 1.0), 0.0)[:, None]
+    for _ in range(6 if degree > 2 else 0):
+        slope, curvature = _horner(first, top)
+        top = np.where(bent[:, None], top - slope / curvature, 0.0)
+    height, slope = _horner(table, top)
+    # How much higher the maximum can be than where Newton's method stopped.
+    more = slope * slope / np.where(bent, -second[:, 0] - powered.sum(axis=-1), 1.0)[:, None]
+    half = np.sqrt(np.maximum(height, 0.0) / np.where(bent, -second[:, 0] / 2.0, 1.0)[:, None])
+    ends = np.concatenate((top - half, top + half), axis=-1)
+    step = np.zeros_like(ends)
+    for _ in range(30):
+        value, slope = _horner(table, ends)
+        step = np.where(slope == 0.0, 0.0, value / np.where(slope == 0.0, 1.0, slope))
+        closer = (height > 0.0) & (np.abs(step) > 2.0 * EPS * np.abs(ends))
+        if not closer.any():
+            break
+        ends = np.where(closer, ends - step, ends)
+    settled = (np.abs(step) <= 1e-9 * half).all(axis=-1) & (np.abs(ends).max(axis=-1) <= inside)
+    none = (height + more)[:, 0] <= 0.0
+    settled &= (height[:, 0] > 0.0) & (ends[:, 0] < top[:, 0]) & (top[:, 0] < ends[:, 1])
+    ends[none] = np.nan
+    return ends, bent & (np.abs(top[:, 0]) <= inside) & (none | settled)
+
+
+def _breaks(table: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Points between which polynomials keep their signs: real parts of all roots, then infinity.
+
+    Those of complex pairs do no harm, and whether two roots that nearly coincide are real is
+    left to the signs.
+    """
+    breaks = np.full((len(table), table.shape[1] - 1), np.inf)
+    highest = table.shape[1] - 1 - np.argmax(table[:, ::-1] != 0.0, axis=-1)
+    highest[~table.any(axis=-1)] = 0
+    for degree in map(int, np.unique(highest)):
+        rows = highest == degree
+        if not degree:
+            continue
+        own = table[rows, : degree + 1]
+        roots = companion_roots(own[:, :-1] / own[:, -1:])
+        inner = roots.real.copy()
         for _ in range(2):  # Newton's steps take out the error of the companion matrix
-            value, slope = _horner(table, inner)
-            step = value / np.where(slope == 0.0, np.inf, slope)
-            better = np.abs(_horner(table, inner - step)[0]) < np.abs(value)
-            inner = np.where(better, inner - step, inner)
-        inner = np.where(np.isnan(inner), np.inf, np.sort(inner, axis=-1))
+            value, slope = _horner(own, inner)
+            better = inner - value / np.where(slope == 0.0, np.inf, slope)
+            closer = (np.abs(_horner(own, better)[0]) < np.abs(value)) & (roots.imag == 0.0)
+            inner = np.where(closer, better, inner)
+        breaks[rows, :degree] = np.where(np.isfinite(inner), inner, np.inf)
+    return breaks
+
+
+def _intervals(
+    tables: Sequence[NDArray[np.float64]], reach: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """As `zone`, from the roots of all polynomials, one table for each of them."""
+    count = len(reach)
+    inner = np.sort(np.concatenate([_breaks(t) for t in tables], axis=-1), axis=-1)
     low = np.concatenate((np.full((count, 1), -np.inf), inner), axis=-1)
     high = np.concatenate((inner, np.full((count, 1), np.inf)), axis=-1)
     middle = np.where(
@@ -79,12 +153,22 @@ def _intervals(table: NDArray[np.float64]) -> NDArray[np.float64]:
         np.where(np.isinf(high), low + 1.0 + np.abs(low), 0.5 * low + 0.5 * high),
     )
     middle = np.where(np.isfinite(middle), middle, 0.0)
-    positive = (high > low) & (_horner(table, middle)[0] > 0.0)
-    gap = np.where(positive, np.maximum(np.maximum(low, -high), 0.0), np.inf)
+    positive = np.any([_horner(t, middle)[0] > 0.0 for t in tables], axis=0) & (low < np.inf)
+    # Neighbours that are positive are one interval: its ends are those of the first and the last.
+    width = positive.shape[1]
+    before = np.concatenate((np.zeros((count, 1), dtype=bool), positive[:, :-1]), axis=-1)
+    after = np.concatenate((positive[:, 1:], np.zeros((count, 1), dtype=bool)), axis=-1)
+    place = np.arange(width)
+    first = np.maximum.accumulate(np.where(positive & ~before, place, 0), axis=-1)
+    last = np.minimum.accumulate(np.where(positive & ~after, place, width - 1)[:, ::-1], axis=-1)[
+        :, ::-1
+    ]
+    low, high = np.take_along_axis(low, first, -1), np.take_along_axis(high, last, -1)
+    gap = np.maximum(np.maximum(low, -high), 0.0)
+    gap = np.where(positive & (high > low), gap, np.inf)
     best = np.argmin(gap, axis=-1)[:, None]
-    found = np.take_along_axis(positive, best, axis=-1)
     ends = np.concatenate([np.take_along_axis(e, best, axis=-1) for e in (low, high)], axis=-1)
-    return np.where(found, ends, np.nan)
+    return np.where(np.take_along_axis(gap, best, axis=-1) < np.inf, ends, np.nan)
 
 
 # --- the unstable interval of a frequency ---------------------------------------------------------
@@ -115,7 +199,7 @@ def explicit_edges(
 
 
 def _positive(frequency: Any) -> Any:
-    return np.where(np.asarray(frequency) > 0.0, frequency, np.nan)
+    return np.where((np.asarray(frequency) > 0.0) & np.isfinite(frequency), frequency, np.nan)
 
 
 def implicit_edges(

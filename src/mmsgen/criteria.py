@@ -178,7 +178,7 @@ class Judge:
     def _conservative(self, factor: MonicFactor) -> FactorVerdict:
         discriminant = _discriminant(factor)
         shown: tuple[sp.Expr, ...] = (self._shown(factor),)
-        name = "the discriminant of {0}"
+        name = f"the discriminant of {self._name(factor, discriminant)}"
         if not discriminant:
             statement = f"{name} vanishes identically"
             return FactorVerdict(factor, "conservative", (), False, statement, shown)
@@ -228,7 +228,7 @@ class Judge:
             return FactorVerdict(
                 factor, "dissipative", (), True, statement, shown, criteria=criteria
             )
-        statement, edges = "{0} is damped", None
+        statement, edges = f"{self._name(factor, divided)} is damped", None
         unstable: bool | None = None
         needed = (criterion, *criteria.polynomials[1:], criteria.undamped)
         if all(self._never(p) for p in needed if p):
@@ -293,6 +293,12 @@ class Judge:
         if len(criterion) < 3:
             return None
         return self.domain.sign(self._leading(criterion[2]))
+
+    def _name(self, factor: MonicFactor, value: Coefficient) -> str:
+        """How a factor is called: by its leading order, unless the argument lies beyond that."""
+        parts = self._by_detuning(self._leading(value))
+        beyond = len(parts) > 1 and not any(parts[:-1])
+        return f"a factor of degree {factor.degree} in Gamma" if beyond else "{0}"
 
     def _shown(self, factor: MonicFactor) -> sp.Expr:
         """The factor to leading order, which carries the argument."""

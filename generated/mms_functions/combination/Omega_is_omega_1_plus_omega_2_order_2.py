@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
-# Made from sha256 91e6aef914a6a753446b6ff36e65eb759d0d9696597ab746cfb5de2832ea598f
-# Operations for each point: growth_rate 118, boundaries 46, resonance 1, slow_flow_matrix 54,
+# Made from sha256 f059eaae191ec3ea817feda9357669dd13ed78473045e46b040ffc0604df47de
+# Operations for each point: growth_rate 118, boundaries 98, resonance 1, slow_flow_matrix 54,
 # characteristic_coefficients 91, slow_flow 71
 """combination: Omega = omega_1 + omega_2 + sigma, order 2.
 
@@ -22,11 +22,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
-    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -136,24 +135,52 @@ def _growth_rate(sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
 def _boundaries(omega_1, omega_2, f_11, f_12, f_21, f_22):
     # Intermediates
     x0 = f_12 * f_21
-    x1 = np.sqrt(x0)
+    x1 = 1 / omega_1
     x2 = 1 / omega_2
-    x3 = np.sqrt(x2 / omega_1)
-    x4 = x1 * x3
+    x3 = x1 * x2
+    x4 = x0 * x3
     x5 = omega_1 * omega_1
     x6 = 1 / x5
-    x7 = 1 / 4 * x6
-    x8 = f_22 * f_22
-    x9 = f_11 * f_11
-    x10 = (
-        9 / 4 * x6 * x8 / (omega_1 + 3 * omega_2) + x7 * x9 / (3 * omega_1 + omega_2)
-        + x7 * (f_11 - f_22) * (f_11 + f_22) / (omega_1 - omega_2)
-        - 1 / 4 * f_12 * f_21 * x6 / (omega_1 + omega_2) - x2 * x6 * (x8 - 1 / 4 * x0)
-    )
+    x7 = omega_1 - omega_2
+    x8 = x7 * x7
+    x9 = 1 / x8
+    x10 = omega_2 * omega_2
+    x11 = 1 / x10
+    x12 = 3 * omega_1 + omega_2
+    x13 = f_11 * f_11
+    x14 = x13 / x12
+    x15 = omega_1 + 3 * omega_2
+    x16 = 1 / x15
+    x17 = f_22 * f_22
+    x18 = x16 * x17
+    x19 = omega_1 * omega_2
+    x20 = 1 / 2 * x10 + 1 / 2 * x19 + 1 / 2 * x5
+    x21 = x0 * x11
+    x22 = 1 / x7
+    x23 = omega_1 + omega_2
+    x24 = 1 / x23
+    x25 = x22 * x24
+    x26 = x15 * x15
+    x27 = x17 * x17
+    x28 = x12 * x12
+    x29 = x13 * x13
+    x30 = omega_1 * x5
+    x31 = omega_2 * x10
+    x32 = x23 * x23
+    x33 = f_12 * f_12
+    x34 = f_21 * f_21
+    x35 = x5 * x5
+    x36 = x10 * x10
+    x37 = x10 + x19 + x5
+    x38 = x37 * x37
     # Outputs
-    lower = -x10 - x4
-    upper = x4 - x10
-    return defined(lower, upper)
+    p0 = (
+        2 * x14 * x18 * x3 * x9 + x14 * x20 * x21 * x25 / x30 + x4 - x0 * x18 * x20 * x25 * x6 / x31
+        - x11 * x27 * x9 / x26 - 1 / 16 * x33 * x34 * x38 / (x32 * x35 * x36) - x29 * x6 * x9 / x28
+    )
+    p1 = 2 * x16 * x17 * x2 * x22 - 2 * x1 * x14 * x22 - 1 / 2 * x24 * x4
+    p2 = 1 / 4 * x21 * x6 - 1
+    return zone((p0, p1, p2))
 
 
 def _resonance(omega_1, omega_2, f_11, f_12, f_21, f_22):
@@ -307,7 +334,11 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
-# Made from sha256 329e0c91d779ef1d64e08f0265cb069d4e290b29fb2d2bdc4a620c284f04eae2
-# Operations for each point: growth_rate 114, boundaries 44, resonance 1, slow_flow_matrix 52,
+# Made from sha256 1c953099310f788a12e13e90cb61e3bff59d85c4b7fcc83d8acf41c33d2cd693
+# Operations for each point: growth_rate 114, boundaries 102, resonance 1, slow_flow_matrix 52,
 # characteristic_coefficients 92, slow_flow 68
 """combination: Omega = omega_2 - omega_1 + sigma, order 2.
 
@@ -22,11 +22,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
-    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -137,27 +136,56 @@ def _growth_rate(sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
 
 def _boundaries(omega_1, omega_2, f_11, f_12, f_21, f_22):
     # Intermediates
-    x0 = f_12 * f_21
-    x1 = np.sqrt(-x0)
-    x2 = 1 / omega_2
-    x3 = np.sqrt(x2 / omega_1)
-    x4 = x1 * x3
-    x5 = omega_1 * omega_1
+    x0 = 1 / omega_1
+    x1 = 1 / omega_2
+    x2 = x0 * x1
+    x3 = f_12 * f_21
+    x4 = x2 * x3
+    x5 = omega_2 * omega_2
     x6 = 1 / x5
-    x7 = 1 / 4 * x0
-    x8 = -omega_2
-    x9 = 1 / 4 * x6
-    x10 = f_22 * f_22
-    x11 = f_11 * f_11
-    x12 = (
-        9 / 4 * x10 * x6 / (omega_1 - 3 * omega_2) + x11 * x9 / (3 * omega_1 + x8)
-        + x2 * x6 * (x10 - x7) + x9 * (f_11 - f_22) * (f_11 + f_22) / (omega_1 + omega_2)
-        - x6 * x7 / (omega_1 + x8)
-    )
+    x7 = omega_1 + omega_2
+    x8 = x7 * x7
+    x9 = 1 / x8
+    x10 = omega_1 * omega_1
+    x11 = 1 / x10
+    x12 = -omega_2
+    x13 = 3 * omega_1 + x12
+    x14 = 1 / x13
+    x15 = f_11 * f_11
+    x16 = x14 * x15
+    x17 = omega_1 - 3 * omega_2
+    x18 = 1 / x17
+    x19 = f_22 * f_22
+    x20 = x18 * x19
+    x21 = 1 / x7
+    x22 = omega_1 + x12
+    x23 = 1 / x22
+    x24 = omega_1 * omega_2
+    x25 = 1 / 2 * x10 + 1 / 2 * x5 - 1 / 2 * x24
+    x26 = x13 * x13
+    x27 = x15 * x15
+    x28 = x17 * x17
+    x29 = x19 * x19
+    x30 = x22 * x22
+    x31 = f_12 * f_12
+    x32 = f_21 * f_21
+    x33 = x10 * x10
+    x34 = x5 * x5
+    x35 = x10 + x5 - x24
+    x36 = x35 * x35
+    x37 = omega_2 * x5
+    x38 = omega_1 * x10
+    x39 = 2 * x21
     # Outputs
-    lower = x12 - x4
-    upper = x12 + x4
-    return defined(lower, upper)
+    p0 = (
+        f_12 * f_21 * x11 * x18 * x19 * x21 * x23 * x25 / x37
+        + f_12 * f_21 * x14 * x15 * x21 * x23 * x25 * x6 / x38 - x11 * x27 * x9 / x26
+        - 2 * x16 * x2 * x20 * x9 - x4 - 1 / 16 * x31 * x32 * x36 / (x30 * x33 * x34)
+        - x29 * x6 * x9 / x28
+    )
+    p1 = x0 * x16 * x39 + x1 * x20 * x39 - 1 / 2 * x23 * x4
+    p2 = 1 / 4 * x11 * x3 * x6 - 1
+    return zone((p0, p1, p2))
 
 
 def _resonance(omega_1, omega_2, f_11, f_12, f_21, f_22):
@@ -314,7 +342,11 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

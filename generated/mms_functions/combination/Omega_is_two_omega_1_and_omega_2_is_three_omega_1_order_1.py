@@ -9,8 +9,8 @@ scales through order 1 in ε, of x, y. Results are written at ε = 1.
 
 Stability depends: a factor of degree 4 in Gamma has no closed-form criterion here.
 
-No boundaries are emitted: 1 factors of the characteristic polynomial can be unstable, 0 of them
-with a criterion in closed form: there is no single boundary; use growth_rate.
+No boundaries are emitted: a factor of degree 4 in Gamma has no closed-form criterion here: there is
+no boundary; use growth_rate.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5
 """

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
-# Made from sha256 75d3ada9a9ca52cd003cccf2d38316ff1fb7eb7e28d21dbc61aae23f3f381ad2
-# Operations for each point: growth_rate 81, boundaries 49, resonance 1, slow_flow_matrix 49,
+# Made from sha256 b010af4ddd3ff3240d03e736cad16139830154992bfab9b65f1e874791ab8d17
+# Operations for each point: growth_rate 81, boundaries 73, resonance 1, slow_flow_matrix 49,
 # characteristic_coefficients 84, slow_flow 67
 """combination: Omega = 2*omega_1 + sigma, order 2.
 
@@ -22,11 +22,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
-    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -127,28 +126,42 @@ def _growth_rate(sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
 
 def _boundaries(omega_1, omega_2, f_11, f_12, f_21, f_22):
     # Intermediates
-    x0 = np.abs(f_11) / omega_1
-    x1 = omega_1 * omega_1
-    x2 = omega_1 * x1
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = x0 * x0
     x3 = 1 / x2
-    x4 = 1 / (omega_1 + omega_2)
-    x5 = -omega_2
-    x6 = 1 / (omega_1 + x5)
-    x7 = 3 * omega_1
-    x8 = 1 / (omega_2 + x7)
-    x9 = 1 / (x5 + x7)
-    x10 = x1 * x1
-    x11 = f_11 * f_11
-    x12 = omega_2 * omega_2
-    x13 = x12 * x12
-    x14 = (
-        10 * f_12 * f_21 * x10 + 5 / 4 * x1 * x11 * x12 - 2 * f_12 * f_21 * x1 * x12
-        - 9 / 8 * x10 * x11 - 1 / 8 * x11 * x13
-    )
+    x4 = omega_1 + omega_2
+    x5 = 1 / x4
+    x6 = -omega_2
+    x7 = omega_1 + x6
+    x8 = 1 / x7
+    x9 = 3 * omega_1
+    x10 = omega_2 + x9
+    x11 = 1 / x10
+    x12 = x6 + x9
+    x13 = 1 / x12
+    x14 = f_11 * f_11
+    x15 = omega_2 * omega_2
+    x16 = x14 * x14
+    x17 = x0 * x2
+    x18 = x10 * x10
+    x19 = x12 * x12
+    x20 = x4 * x4
+    x21 = x7 * x7
+    x22 = f_12 * f_12
+    x23 = f_21 * f_21
+    x24 = 5 * x0 - x15
+    x25 = x24 * x24
+    x26 = 1 / 4 * x14
+    x27 = omega_1 * x0
     # Outputs
-    lower = x14 * x3 * x4 * x6 * x8 * x9 - x0
-    upper = x0 + x14 * x3 * x4 * x6 * x8 * x9
-    return defined(lower, upper)
+    p0 = (
+        f_12 * f_21 * x11 * x13 * x14 * x3 * x5 * x8 * (3 / 2 * x15 - 15 / 2 * x0) + x1 * x14
+        - 4 * x1 * x22 * x23 * x25 / (x18 * x19 * x20 * x21) - 9 / 64 * x16 / x17
+    )
+    p1 = f_12 * f_21 * x11 * x13 * x5 * x8 * (20 * x0 - 4 * x15) / omega_1 - x26 / x27
+    p2 = x26 * x3 - 1
+    return zone((p0, p1, p2))
 
 
 def _resonance(omega_1, omega_2, f_11, f_12, f_21, f_22):
@@ -300,7 +313,11 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

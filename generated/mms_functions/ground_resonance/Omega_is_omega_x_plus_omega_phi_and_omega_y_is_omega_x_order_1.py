@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 85c1f25931af8576c5e96eadf62d6ce78acd5c9472f6d7f40c32d60a3f2a7643
-# Operations for each point: growth_rate 12, boundaries 50, detuning 9, slow_flow_matrix 7,
+# Made from sha256 aa92223bfd71e07a27964b48f167c63d0899c32ef573182996a13d22fca90d83
+# Operations for each point: growth_rate 12, boundaries 53, detuning 9, slow_flow_matrix 7,
 # characteristic_coefficients 15, slow_flow 46
 """ground_resonance: Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2, order 1.
 
@@ -131,7 +131,8 @@ def _boundaries(sigma_2, r_m, r_b, omega_x, omega_phi):
     p2 = 5 / 2 * r_b * r_m * x0 * x11 * x2 - 1 / 4 * x10 - x12
     p3 = 2 * x18
     p4 = -x11
-    return zone(p0, p1, p2, p3, p4)
+    reach = 1 / 2 * omega_phi + 1 / 2 * omega_x
+    return zone((p0, p1, p2, p3, p4), reach=reach)
 
 
 def _detuning(Omega, r_m, r_b, omega_x, omega_y, r_a, omega_b):
@@ -266,8 +267,12 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma_1.
 
-    The interval nearest to zero in which the polynomial with the coefficients p0, p1, … (lowest
-    power first) is positive; infinite where the interval has no end.
+    The interval of sigma_1 in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 1 leaves out terms of the edges from ε^2 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero, and
+    none that begins farther from it than omega_phi/2 + omega_x/2, half of the frequencies that
+    resonate; SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 8a20e777c51006fecc5cfcac63bc171106cead2ecaf4bf568847237d0ac5789e
-# Operations for each point: growth_rate 149, boundaries 1011, detuning 9, slow_flow_matrix 69,
+# Made from sha256 0d81cf056735ac21036199de3c92cce3e434a89a5d5f93ad40cb5607ff7167c2
+# Operations for each point: growth_rate 149, boundaries 1014, detuning 9, slow_flow_matrix 69,
 # characteristic_coefficients 161, slow_flow 162
 """ground_resonance: Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2, order 2.
 
@@ -287,45 +287,47 @@ def _boundaries(sigma_2, r_m, r_b, omega_x, omega_phi):
     x136 = r_b * r_m
     x137 = 1 / 4 * x11
     x138 = x10 * x137
-    x139 = omega_x * x11 * x136
-    x140 = 3 * omega_phi
-    x141 = omega_x + x140
-    x142 = 9 * omega_x
-    x143 = 1 / 128 * x27
-    x144 = x30 * (omega_x - omega_phi) * (x103 + x140)
-    x145 = 9 * x1
-    x146 = x30 * x7
-    x147 = omega_phi * x7
-    x148 = omega_x * x1
-    x149 = x23 * x40
-    x150 = x26 * x30
-    x151 = -4 * x8
-    x152 = x44 * x64
-    x153 = 1 / 32 * x152
-    x154 = omega_phi * x8
-    x155 = x1 * x23
-    x156 = 13 * omega_phi
-    x157 = 201 * x17
-    x158 = x92 * (x157 + 515 * x82 + 361 * x85 + x9 - x156 * x35 - 79 * x83 - 14 * x84)
-    x159 = x22 * x9
-    x160 = x159 * x91
-    x161 = sigma_2 * x141
-    x162 = omega_phi * x9
-    x163 = omega_x * x17
-    x164 = x1 * x35
-    x165 = x2 * x8
-    x166 = x16 * x23
-    x167 = x65 * x7
-    x168 = x100 * x119
-    x169 = 7 * x1
-    x170 = 60 * x31
-    x171 = x22 * (x113 + x170 + 11 * x7)
-    x172 = -x151 - 32 * x16 - 75 * x56 - 73 * x57 - x67
-    x173 = 12 * omega_phi
-    x174 = x30 * (x1 + x31 + x7)
-    x175 = x13 * x136
-    x176 = x12 * x8
-    x177 = x44 * x61
+    x139 = x11 * x136
+    x140 = omega_x * x139
+    x141 = 3 * omega_phi
+    x142 = omega_x + x141
+    x143 = 9 * omega_x
+    x144 = 1 / 128 * x27
+    x145 = x30 * (omega_x - omega_phi) * (x103 + x141)
+    x146 = 9 * x1
+    x147 = x30 * x7
+    x148 = omega_phi * x7
+    x149 = omega_x * x1
+    x150 = x23 * x40
+    x151 = x26 * x30
+    x152 = -4 * x8
+    x153 = x44 * x64
+    x154 = 1 / 32 * x153
+    x155 = omega_phi * x8
+    x156 = x1 * x23
+    x157 = 13 * omega_phi
+    x158 = 201 * x17
+    x159 = x92 * (x158 + 515 * x82 + 361 * x85 + x9 - x157 * x35 - 79 * x83 - 14 * x84)
+    x160 = x22 * x9
+    x161 = x160 * x91
+    x162 = sigma_2 * x142
+    x163 = omega_phi * x9
+    x164 = omega_x * x17
+    x165 = x1 * x35
+    x166 = x2 * x8
+    x167 = x16 * x23
+    x168 = x65 * x7
+    x169 = x100 * x119
+    x170 = 7 * x1
+    x171 = 60 * x31
+    x172 = x22 * (x113 + x171 + 11 * x7)
+    x173 = -x152 - 32 * x16 - 75 * x56 - 73 * x57 - x67
+    x174 = 12 * omega_phi
+    x175 = 1 / 2 * omega_x
+    x176 = x30 * (x1 + x31 + x7)
+    x177 = x13 * x136
+    x178 = x12 * x8
+    x179 = x44 * x61
     # Outputs
     p0 = (
         r_b * r_m * x0 * x23 * x40
@@ -348,69 +350,69 @@ def _boundaries(sigma_2, r_m, r_b, omega_x, omega_phi):
         - x50 * x52 * (11 * x31 + x48 + 4 * x7)
     )
     p1 = (
-        sigma_2 * x138 + sigma_2 * x168 * (15486 * x112 + 932 * x114 + 6309 * x115 + 17198 * x116
+        sigma_2 * x138 + sigma_2 * x169 * (15486 * x112 + 932 * x114 + 6309 * x115 + 17198 * x116
         + 23230 * x117 + 4075 * x76 + x86 - x1 * x108 - x109 * x14) + x111 * x120 * (2 * x109 + 133
-        * x162 + 28274 * x163 + 1490 * x164 + 7713 * x165 + 22090 * x166 + 34957 * x167 + 9084
+        * x163 + 28274 * x164 + 1490 * x165 + 7713 * x166 + 22090 * x167 + 34957 * x168 + 9084
         * x88) + 1 / 8 * x12 * x37 * (2 * x7 - 45 * x1 - 35 * x31)
-        + 1 / 512 * x126 * (229 * x121 + 105 * x122 + x145 * x23 + x154 + x35 + 141 * x65)
-        + 1 / 8 * x139 * x42
-        + 1 / 1024 * x141 * x15 * x69 * x79 * (6 * x16 - x156 * x23 - 21 * x56 - 40 * x57 - x72)
-        + 3 / 256 * x141 * x24 * x50 + x143 * x42 * (32 * omega_phi + x142)
-        + x153 * x69 * (-180 * x16 - 65 * x55 - 459 * x56 - 344 * x57 - x72) + 1 / 64 * x158 * x89
-        + x52 * x74 * (283 * x147 + 994 * x148 + 888 * x2 + 22 * x23)
-        + x70 * x73 * (9 * x35 - 1763 * x121 - 1916 * x122 - 47 * x154 - 695 * x155 - 448 * x65) - 1
-        / 16 * sigma_2 * x109 * x21 * x44 * x66 * (9 * omega_phi * x23 - x151 - 86 * x16 - 171 * x56
-        - 79 * x57) - 5 / 2 * x0 * x135 * x136 - 1 / 512 * x107 * x124 * x161 * x99 - 1 / 128 * x12
-        * x160 * (2 * x9 - 288 * x17 - 28 * x81 - 656 * x82 - 195 * x83 - 446 * x84 - 651 * x85)
-        - x136 * x137 * x146 * x40 * (-x145 - 7 * x31 - x34) - 1 / 8 * x144 * x21 * x25 * x86
-        - 1 / 64 * x149 * x150 * (x23 - 66 * x147 - 355 * x148 - 336 * x2)
+        + 1 / 512 * x126 * (229 * x121 + 105 * x122 + x146 * x23 + x155 + x35 + 141 * x65)
+        + 1 / 8 * x140 * x42
+        + 1 / 1024 * x142 * x15 * x69 * x79 * (6 * x16 - x157 * x23 - 21 * x56 - 40 * x57 - x72)
+        + 3 / 256 * x142 * x24 * x50 + x144 * x42 * (32 * omega_phi + x143)
+        + x154 * x69 * (-180 * x16 - 65 * x55 - 459 * x56 - 344 * x57 - x72) + 1 / 64 * x159 * x89
+        + x52 * x74 * (283 * x148 + 994 * x149 + 888 * x2 + 22 * x23)
+        + x70 * x73 * (9 * x35 - 1763 * x121 - 1916 * x122 - 47 * x155 - 695 * x156 - 448 * x65) - 1
+        / 16 * sigma_2 * x109 * x21 * x44 * x66 * (9 * omega_phi * x23 - x152 - 86 * x16 - 171 * x56
+        - 79 * x57) - 5 / 2 * x0 * x135 * x136 - 1 / 512 * x107 * x124 * x162 * x99 - 1 / 128 * x12
+        * x161 * (2 * x9 - 288 * x17 - 28 * x81 - 656 * x82 - 195 * x83 - 446 * x84 - 651 * x85)
+        - x136 * x137 * x147 * x40 * (-x146 - 7 * x31 - x34) - 1 / 8 * x145 * x21 * x25 * x86
+        - 1 / 64 * x150 * x151 * (x23 - 66 * x148 - 355 * x149 - 336 * x2)
     )
     p2 = (
         5 / 2 * r_b * r_m * x0 * x12 * x23
-        + 3 / 4 * r_b * r_m * x11 * x30 * x69 * x7 * (-x104 - x169 - x34) + 1 / 512 * sigma_2 * x109
-        * x58 * x59 * x77 * x91 * (7 * x109 + 4725 * x163 + 107 * x167 + 2412 * x88 - 61 * x162
-        - 1051 * x164 - 4034 * x165 - 5237 * x166) + 1 / 64 * sigma_2 * x18 * x19 * x20 * x9 * x91
-        * (3 * x9 - x157 - 67 * x81 - 741 * x82 - 592 * x83 - 1349 * x84 - 1370 * x85)
+        + 3 / 4 * r_b * r_m * x11 * x30 * x69 * x7 * (-x104 - x170 - x34) + 1 / 512 * sigma_2 * x109
+        * x58 * x59 * x77 * x91 * (7 * x109 + 4725 * x164 + 107 * x168 + 2412 * x88 - 61 * x163
+        - 1051 * x165 - 4034 * x166 - 5237 * x167) + 1 / 64 * sigma_2 * x18 * x19 * x20 * x9 * x91
+        * (3 * x9 - x158 - 67 * x81 - 741 * x82 - 592 * x83 - 1349 * x84 - 1370 * x85)
         + 3 / 1024 * x102 * x105 * x124 * x125 * x45 * x94 * x95 * x98
-        + 1 / 16 * x109 * x172 * x19 * x20 * x44 * x66 + 1 / 1024 * x18 * x19 * x20 * x30 * x69 * x8
+        + 1 / 16 * x109 * x173 * x19 * x20 * x44 * x66 + 1 / 1024 * x18 * x19 * x20 * x30 * x69 * x8
         * (22 * x8 - 9216 * x16 - 653 * x55 - 13896 * x56 - 5822 * x57) + 1 / 64 * x23 * x25 * x30
-        * x4 * x5 * x69 * (29 * x23 - 152 * x147 - 1059 * x148 - 948 * x2)
+        * x4 * x5 * x69 * (29 * x23 - 152 * x148 - 1059 * x149 - 948 * x2)
         - 3 / 8 * sigma_2 * x37 * x39
-        - x12 * x153 * (182 * x16 + 175 * x56 + x75 - 85 * x55 - 92 * x57) - x12 * x68 * x73 * (1849
-        * x121 + 673 * x122 + 137 * x154 + 44 * x155 + 43 * x35 + 1100 * x65) - x138
-        - 7 / 4 * x139 * x40 * (omega_x + x101) - 3 / 512 * x149 * x15 * x171 - x168 * (118 * x1
+        - x12 * x154 * (182 * x16 + 175 * x56 + x75 - 85 * x55 - 92 * x57) - x12 * x68 * x73 * (1849
+        * x121 + 673 * x122 + 137 * x155 + 44 * x156 + 43 * x35 + 1100 * x65) - x138
+        - 7 / 4 * x140 * x40 * (omega_x + x101) - 3 / 512 * x15 * x150 * x172 - x169 * (118 * x1
         * x9 + 4380 * x112 + 1638 * x114 + 5823 * x115 + 9774 * x116 + 8878 * x117 + 961 * x76 + x86
-        - x109 * x173) - x28 * x40 * (1120 * x1 + 928 * x31 + 163 * x7) - x40 - 1 / 2048 * x78 * x93
+        - x109 * x174) - x28 * x40 * (1120 * x1 + 928 * x31 + 163 * x7) - x40 - 1 / 2048 * x78 * x93
         * (14 * x9 - 11448 * x17 - 127 * x81 - 27432 * x82 - 2332 * x83 - 11199 * x84 - 25266 * x85)
     )
     p3 = (
-        1 / 8 * sigma_2 * x152 * (-x142 * x2 - 2 * x16 - x169 * x7 - x54) + sigma_2 * x53 * x73
-        * (20 * x35 - 772 * x121 - 1101 * x122 - x140 * x8 - 545 * x155 - 192 * x65)
-        + 3 / 256 * x110 * x161 * x177 + 1 / 64 * x135 * x141 * x22 * (36 * x1 + x170 + 13 * x7)
-        + 1 / 2 * x139 * x69 * (8 * omega_x + x156)
-        + x143 * x69 * (768 * x1 + 1036 * x31 + 249 * x7) + 1 / 4 * x174 * x36 + 2 * x69
-        - 3 / 256 * x118 * x158
-        - 1 / 32 * x12 * x150 * x23 * (19 * x23 - 127 * x147 - 398 * x148 - 228 * x2)
-        - 1 / 2 * x146 * x175 * (-10 * x31 - x34 - x48)
-        - 1 / 32 * x160 * (-27 * x17 - x80 - 37 * x81 - 57 * x82 - 86 * x83 - 75 * x84 - 58 * x85)
-        - 1 / 512 * x176 * x51 * (571 * omega_phi * x23 + 152 * x8 - 432 * x16 - 1692 * x56 - 408
+        1 / 8 * sigma_2 * x153 * (-x143 * x2 - 2 * x16 - x170 * x7 - x54) + sigma_2 * x53 * x73
+        * (20 * x35 - 772 * x121 - 1101 * x122 - x141 * x8 - 545 * x156 - 192 * x65)
+        + 3 / 256 * x110 * x162 * x179 + 1 / 64 * x135 * x142 * x22 * (36 * x1 + x171 + 13 * x7)
+        + x139 * x175 * x69 * (8 * omega_x + x157) + x144 * x69 * (768 * x1 + 1036 * x31 + 249 * x7)
+        + 1 / 4 * x176 * x36 + 2 * x69 - 3 / 256 * x118 * x159
+        - 1 / 32 * x12 * x151 * x23 * (19 * x23 - 127 * x148 - 398 * x149 - 228 * x2)
+        - 1 / 2 * x147 * x177 * (-10 * x31 - x34 - x48)
+        - 1 / 32 * x161 * (-27 * x17 - x80 - 37 * x81 - 57 * x82 - 86 * x83 - 75 * x84 - 58 * x85)
+        - 1 / 512 * x178 * x51 * (571 * omega_phi * x23 + 152 * x8 - 432 * x16 - 1692 * x56 - 408
         * x57)
     )
     p4 = (
-        3 / 256 * sigma_2 * x18 * x19 * x20 * x30 * x35 * (206 * x147 + 27 * x148 + 55 * x23
-        - 72 * x2) + 1 / 32 * sigma_2 * x23 * x25 * x30 * x4 * x5 * (43 * x147 + 43 * x148 + 12 * x2
-        + 13 * x23) - 1 / 8 * omega_x * x175 * (19 * omega_x + x173) - 9 / 1024 * x118 * x177
+        3 / 256 * sigma_2 * x18 * x19 * x20 * x30 * x35 * (206 * x148 + 27 * x149 + 55 * x23
+        - 72 * x2) + 1 / 32 * sigma_2 * x23 * x25 * x30 * x4 * x5 * (43 * x148 + 43 * x149 + 12 * x2
+        + 13 * x23) - 1 / 8 * omega_x * x177 * (19 * omega_x + x174) - 9 / 1024 * x118 * x179
         - x12 * x28 * (144 * x1 + 936 * x31 + 409 * x7) - x12
-        - 1 / 16 * x152 * (x16 - x14 * x23 - x145 * x7 - x54 - 4 * x56) - 3 / 64 * x159 * x172 * x44
-        - 9 / 256 * x171 * x176
+        - 1 / 16 * x153 * (x16 - x14 * x23 - x146 * x7 - x54 - 4 * x56) - 3 / 64 * x160 * x173 * x44
+        - 9 / 256 * x172 * x178
     )
     p5 = (
-        27 / 64 * sigma_2 * x141 * x18 * x19 * x20 * x35
-        + 3 / 64 * sigma_2 * x23 * x25 * x4 * x5 * (7 * omega_x + x173) - 9 / 128 * x144 * x159
-        - 3 / 16 * x174 * x64
+        27 / 64 * sigma_2 * x142 * x18 * x19 * x20 * x35
+        + 3 / 64 * sigma_2 * x23 * x25 * x4 * x5 * (7 * omega_x + x174) - 9 / 128 * x145 * x160
+        - 3 / 16 * x176 * x64
     )
-    p6 = -27 / 128 * x159 - 9 / 64 * x64
-    return zone(p0, p1, p2, p3, p4, p5, p6)
+    p6 = -27 / 128 * x160 - 9 / 64 * x64
+    reach = 1 / 2 * omega_phi + x175
+    return zone((p0, p1, p2, p3, p4, p5, p6), reach=reach)
 
 
 def _detuning(Omega, r_m, r_b, omega_x, omega_y, r_a, omega_b):
@@ -681,8 +683,12 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma_1.
 
-    The interval nearest to zero in which the polynomial with the coefficients p0, p1, … (lowest
-    power first) is positive; infinite where the interval has no end.
+    The interval of sigma_1 in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero, and
+    none that begins farther from it than omega_phi/2 + omega_x/2, half of the frequencies that
+    resonate; SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 c00573d598352c97216e26d65c74d9b1a8023f594ca9d8a461ce6353e6ed86b3
-# Operations for each point: growth_rate 75, boundaries 44, detuning 8, slow_flow_matrix 90,
+# Made from sha256 487f41f989c793d6208c93f25693eb11263c88d11961f887698a0f7cd0e99e68
+# Operations for each point: growth_rate 75, boundaries 82, detuning 8, slow_flow_matrix 90,
 # characteristic_coefficients 110, slow_flow 155
 """ground_resonance: Omega = omega_x + omega_phi + sigma, order 2.
 
@@ -127,20 +127,42 @@ def _growth_rate(sigma, r_m, r_b, omega_x, omega_y, omega_phi):
 
 def _boundaries(r_m, r_b, omega_x, omega_y, omega_phi):
     # Intermediates
-    x0 = 1 / omega_phi
-    x1 = 1 / (omega_x + omega_y)
-    x2 = 1 / (omega_x - omega_y)
-    x3 = r_b * r_m
-    x4 = omega_x * omega_x
-    x5 = omega_phi * omega_phi
-    x6 = 1 / 8 * x3 * x4 * (x4 - 6 * omega_phi * omega_x - 8 * x5) / (x5 * (omega_phi + omega_x))
-    x7 = omega_x * x4
-    x8 = x0 * x3 * x7
-    x9 = np.sqrt(x8)
-    x10 = 1 / 4 * x8
+    x0 = r_b * r_m
+    x1 = omega_x * omega_x
+    x2 = omega_phi * omega_phi
+    x3 = x1 / x2
+    x4 = x0 * x3
+    x5 = 3 / 2 * x4 + 2
+    x6 = omega_x + omega_y
+    x7 = omega_x * x1
+    x8 = x7 / omega_phi
+    x9 = 1 / 2 * x8
+    x10 = omega_x - omega_y
+    x11 = omega_phi + omega_x
+    x12 = 6 * omega_phi
+    x13 = x9 / x6 + x9 / x10 - 1 / 4 * x3 * (x1 - omega_x * x12 - 8 * x2) / x11
+    x14 = x0 * x13 / x5
+    x15 = r_b * r_b
+    x16 = r_m * r_m
+    x17 = x15 * x16
+    x18 = x1 * x1
+    x19 = x10 * x10
+    x20 = x11 * x11
+    x21 = x6 * x6
+    x22 = x2 * x2
+    x23 = omega_y * omega_y
+    x24 = 2 * x23
+    x25 = 6 * x1 * x2 + x12 * x7 + x18 - omega_phi * omega_x * x24 - x1 * x23 - x2 * x24
+    x26 = x25 * x25
+    x27 = x13 * x13
+    x28 = x5 * x5
+    x29 = (
+        np.sqrt(x17 * x27 / x28
+        + (x0 * x8 - 1 / 64 * x17 * x18 * x26 / (x19 * x20 * x21 * x22)) / (3 / 4 * x4 + 1))
+    )
     # Outputs
-    lower = 1 / 4 * r_b * r_m * x0 * x1 * x7 + 1 / 4 * r_b * r_m * x0 * x2 * x7 - x6 - x9
-    upper = x1 * x10 + x10 * x2 + x9 - x6
+    lower = x14 - x29
+    upper = x14 + x29
     return defined(lower, upper)
 
 
@@ -385,7 +407,10 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 2
+    leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

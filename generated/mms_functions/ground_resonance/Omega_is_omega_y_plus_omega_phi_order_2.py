@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 17f01589af0eea9f47dac9fca6e2fdf0823a62641a8a5c1fdbc2790ee4965e88
-# Operations for each point: growth_rate 77, boundaries 39, detuning 8, slow_flow_matrix 91,
+# Made from sha256 e2d354dbb7ba8f947a9497f78b690135a75ce2fa8d44d717948d8fc9568b3e97
+# Operations for each point: growth_rate 77, boundaries 84, detuning 8, slow_flow_matrix 91,
 # characteristic_coefficients 111, slow_flow 161
 """ground_resonance: Omega = omega_y + omega_phi + sigma, order 2.
 
@@ -127,20 +127,42 @@ def _growth_rate(sigma, r_m, r_b, omega_x, omega_y, omega_phi):
 
 def _boundaries(r_m, r_b, omega_x, omega_y, omega_phi):
     # Intermediates
-    x0 = 1 / omega_phi
-    x1 = 1 / (omega_x + omega_y)
-    x2 = r_b * r_m
-    x3 = omega_y * omega_y
-    x4 = omega_y * x3
-    x5 = x0 * x2 * x4
-    x6 = 1 / 4 * x5
-    x7 = x6 / (omega_x - omega_y)
-    x8 = omega_phi * omega_phi
-    x9 = 1 / 8 * x2 * x3 * (x3 - 6 * omega_phi * omega_y - 8 * x8) / (x8 * (omega_phi + omega_y))
-    x10 = np.sqrt(x5)
+    x0 = r_b * r_m
+    x1 = omega_y * omega_y
+    x2 = omega_phi * omega_phi
+    x3 = x1 / x2
+    x4 = x0 * x3
+    x5 = 3 / 2 * x4 + 2
+    x6 = 1 / omega_phi
+    x7 = omega_x + omega_y
+    x8 = omega_x - omega_y
+    x9 = omega_y * x1
+    x10 = x6 * x9
+    x11 = omega_phi + omega_y
+    x12 = 6 * omega_phi
+    x13 = 1 / 2 * x6 * x9 / x7 - 1 / 2 * x10 / x8 - 1 / 4 * x3 * (x1 - omega_y * x12 - 8 * x2) / x11
+    x14 = x0 * x13 / x5
+    x15 = r_b * r_b
+    x16 = r_m * r_m
+    x17 = x15 * x16
+    x18 = x1 * x1
+    x19 = x11 * x11
+    x20 = x7 * x7
+    x21 = x8 * x8
+    x22 = x2 * x2
+    x23 = omega_x * omega_x
+    x24 = 2 * x23
+    x25 = omega_phi * omega_y * x24 + x1 * x23 + x2 * x24 - 6 * x1 * x2 - x12 * x9 - x18
+    x26 = x25 * x25
+    x27 = x13 * x13
+    x28 = x5 * x5
+    x29 = (
+        np.sqrt(x17 * x27 / x28
+        + (x0 * x10 - 1 / 64 * x17 * x18 * x26 / (x19 * x20 * x21 * x22)) / (3 / 4 * x4 + 1))
+    )
     # Outputs
-    lower = 1 / 4 * r_b * r_m * x0 * x1 * x4 - x10 - x7 - x9
-    upper = x1 * x6 + x10 - x7 - x9
+    lower = x14 - x29
+    upper = x14 + x29
     return defined(lower, upper)
 
 
@@ -384,7 +406,10 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 2
+    leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

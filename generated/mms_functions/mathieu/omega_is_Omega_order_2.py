@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 22dd85b79e62ebec4a2829747164cc6220a8fb2031b6dd5c30cc30230a0f2cb6
-# Operations for each point: growth_rate 19, boundaries 17, resonance 0, slow_flow_matrix 8,
+# Made from sha256 4e3d5e0d6a0c86fe5bd08bc6a3970942aa41723917a6ebe3c2c13bb735e87bba
+# Operations for each point: growth_rate 19, boundaries 21, resonance 0, slow_flow_matrix 8,
 # characteristic_coefficients 19, slow_flow 18
 """mathieu: omega = Omega + sigma, order 2.
 
@@ -95,18 +95,19 @@ def _growth_rate(sigma, Omega, q, mu):
 
 def _boundaries(Omega, q, mu):
     # Intermediates
-    x0 = Omega * Omega
-    x1 = Omega * x0
-    x2 = 1 / x1
-    x3 = 2 * mu * x1
-    x4 = q * q
-    x5 = np.sqrt(x4 - x3)
-    x6 = np.sqrt(x3 + x4)
-    x7 = 1 / 2 * x2 * x5 * x6
-    x8 = x2 * x4 / 3
+    x0 = mu * mu
+    x1 = q * q
+    x2 = x1 * x1
+    x3 = Omega * Omega
+    x4 = x3 * x3
+    x5 = x3 * x4
+    x6 = np.sqrt(16 * x2 / x5 - 64 * x0)
+    x7 = 1 / 8 * x6
+    x8 = Omega * x3
+    x9 = 1 / x8
     # Outputs
-    lower = x8 - x7
-    upper = x7 + x8
+    lower = x1 * x9 / 3 - x7
+    upper = x1 * x9 / 3 + x7
     return lower, upper
 
 
@@ -196,7 +197,10 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 2
+    leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

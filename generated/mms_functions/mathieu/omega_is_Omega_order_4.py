@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 50aa952c12665acda2aed66da3cdf88371451eb7dff12b93ac525f05a2681cc9
-# Operations for each point: growth_rate 101, boundaries 43, resonance 0, slow_flow_matrix 40,
+# Made from sha256 c4d2d23d13c5e073d9dd69cc0fb8c7d02dfb2d14ae71571cdf1bba09b057db5f
+# Operations for each point: growth_rate 101, boundaries 84, resonance 0, slow_flow_matrix 40,
 # characteristic_coefficients 101, slow_flow 46
 """mathieu: omega = Omega + sigma, order 4.
 
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -121,30 +121,46 @@ def _growth_rate(sigma, Omega, q, mu):
 
 def _boundaries(Omega, q, mu):
     # Intermediates
-    x0 = Omega * Omega
-    x1 = Omega * x0
-    x2 = 1 / x1
-    x3 = 2 * mu * x1
-    x4 = q * q
-    x5 = x3 - x4
-    x6 = np.sqrt(-x5)
-    x7 = x3 + x4
-    x8 = np.sqrt(x7)
-    x9 = 1 / 2 * x2 * x6 * x8
-    x10 = x0 * x0
-    x11 = x1 * x10
-    x12 = 1 / x11
-    x13 = mu * mu
-    x14 = x0 * x10
-    x15 = x13 * x14
-    x16 = np.sqrt(1 / x7)
-    x17 = x4 * x4
-    x18 = x12 * x16 * x4 * x6 * (44 * x15 - 19 * x17) / (18 * x5)
-    x19 = x12 * (1 / 2 * x15 - 457 * x17 / 432) + x2 * x4 / 3
+    x0 = mu * mu
+    x1 = 4 * x0
+    x2 = Omega * Omega
+    x3 = x2 * x2
+    x4 = x3 * x3
+    x5 = x2 * x4
+    x6 = 1 / x5
+    x7 = x2 * x3
+    x8 = 1 / x7
+    x9 = 1 / x4
+    x10 = q * q
+    x11 = x10 / x3
+    x12 = x10 * x10
+    x13 = x10 * x12
+    x14 = x0 * x0
+    x15 = x12 * x12
+    x16 = x4 * x7
+    x17 = Omega * x3
+    x18 = x10 / x17
+    x19 = Omega * x2
+    x20 = x19 * x4
+    x21 = x19 * x3
+    x22 = x3 * x4
+    x23 = Omega * x4
     # Outputs
-    lower = x18 + x19 - x9
-    upper = x19 + x9 - x18
-    return lower, upper
+    p0 = (
+        65 * x0 * x12 * x9 / 108 + 5 * x12 * x8 / 9 - 4 * x0 * x11 / 3 - x1 - 7 * x13 * x6 / 162
+        - x14 / x2 - 1921 * x15 / (46656 * x16)
+    )
+    p1 = (
+        44 * x0 * x18 / 9 + 8 * x10 / (3 * x19) + x1 / Omega - 35 * x12 / (18 * x21)
+        - 283 * x13 / (486 * x20)
+    )
+    p2 = (
+        2933 * x13 / (1458 * x22) - 340 * x0 * x10 * x8 / 27 - 88 * x11 / 9 - 64 * x12 * x9 / 27 - 4
+    )
+    p3 = 3592 * x12 / (243 * x23) + 680 * x18 / 27
+    p4 = -17236 * x12 * x6 / 729
+    reach = 1 / 2 * Omega
+    return zone((p0, p1, p2, p3, p4), reach=reach)
 
 
 def _resonance(Omega, q, mu):
@@ -281,9 +297,12 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case. No finite number
-    where q or mu is zero: what damping does as it vanishes depends on its distribution. Emit the
-    undamped case for that.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 4 leaves out terms of the edges from ε^5 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero, and
+    none that begins farther from it than Omega/2, half of the frequencies that resonate;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

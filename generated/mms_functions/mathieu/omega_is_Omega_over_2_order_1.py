@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 8c2db52168bedc9536b21fc463747cc96e5612cf2099609670267fc3f9a67744
-# Operations for each point: growth_rate 9, boundaries 8, resonance 1, slow_flow_matrix 2,
+# Made from sha256 15fa0fab9c27e055aa44dd753d5dcec0263ff10f36742fe0a67bb74518e4368a
+# Operations for each point: growth_rate 9, boundaries 7, resonance 1, slow_flow_matrix 2,
 # characteristic_coefficients 9, slow_flow 9
 """mathieu: omega = 1/2*Omega + sigma, order 1.
 
@@ -91,10 +91,10 @@ def _growth_rate(sigma, Omega, q, mu):
 
 def _boundaries(Omega, q, mu):
     # Intermediates
-    x0 = Omega * mu
-    x1 = np.sqrt(q - x0)
-    x2 = np.sqrt(q + x0)
-    x3 = x1 * x2 / Omega
+    x0 = mu * mu
+    x1 = q * q
+    x2 = Omega * Omega
+    x3 = np.sqrt(x1 / x2 - x0)
     # Outputs
     lower = -x3
     upper = x3
@@ -171,7 +171,10 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 1
+    leaves out terms of the edges from ε^2 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

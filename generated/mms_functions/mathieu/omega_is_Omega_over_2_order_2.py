@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 f89c601493e5d6d7afdff9f00317fe942a1d2ff9c78aa5121ca01b4c7f5ec7b1
-# Operations for each point: growth_rate 34, boundaries 20, resonance 1, slow_flow_matrix 12,
+# Made from sha256 b69dbd3cc6f081a2c22ce18f485cb0869797a739af3c7f5aeb1585d9e44d1b81
+# Operations for each point: growth_rate 34, boundaries 35, resonance 1, slow_flow_matrix 12,
 # characteristic_coefficients 34, slow_flow 21
 """mathieu: omega = 1/2*Omega + sigma, order 2.
 
@@ -101,19 +101,23 @@ def _growth_rate(sigma, Omega, q, mu):
 
 def _boundaries(Omega, q, mu):
     # Intermediates
-    x0 = Omega * mu
-    x1 = np.sqrt(q - x0)
-    x2 = np.sqrt(q + x0)
-    x3 = x1 * x2 / Omega
-    x4 = Omega * Omega
-    x5 = Omega * x4
-    x6 = 1 / x5
-    x7 = q * q
-    x8 = mu * mu
-    x9 = x4 * x8 - 3 / 2 * x7
+    x0 = 1 / Omega
+    x1 = q * q
+    x2 = Omega * Omega
+    x3 = Omega * x2
+    x4 = 3 / 2 * x1 / x3
+    x5 = 1 / x2
+    x6 = mu * mu
+    x7 = x0 * x6 - x4
+    x8 = x7 * x7
+    x9 = x6 * x6
+    x10 = x1 * x1
+    x11 = x2 * x2
+    x12 = x11 * x2
+    x13 = np.sqrt(x1 * x5 + 3 * x1 * x6 / x11 + x8 - 9 / 4 * x10 / x12 - x5 * x9 - x6)
     # Outputs
-    lower = x6 * x9 - x3
-    upper = x3 + x6 * x9
+    lower = x0 * x6 - x13 - x4
+    upper = x13 + x7
     return lower, upper
 
 
@@ -212,7 +216,10 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 2
+    leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 648664f5ad1d6454e99770e024a1811af452f4c72eb2662b7f8c6a26cd6646e2
-# Operations for each point: growth_rate 172, boundaries 55, resonance 1, slow_flow_matrix 55,
+# Made from sha256 023f54fcc8562d5a5e6288c11e62e98efdad4ad5bceeb37dd18b009b6598b4fb
+# Operations for each point: growth_rate 172, boundaries 157, resonance 1, slow_flow_matrix 55,
 # characteristic_coefficients 172, slow_flow 60
 """mathieu: omega = 1/2*Omega + sigma, order 4.
 
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -147,32 +147,58 @@ def _boundaries(Omega, q, mu):
     # Intermediates
     x0 = Omega * Omega
     x1 = x0 * x0
-    x2 = Omega * x0
-    x3 = x1 * x2
+    x2 = x1 * x1
+    x3 = x0 * x2
     x4 = 1 / x3
-    x5 = mu * mu
-    x6 = x5 * x5
-    x7 = x1 * x6
-    x8 = q * q
-    x9 = x8 * x8
-    x10 = 29 / 2 * x0 * x5 * x8 - 5 * x7 - 187 * x9 / 24
-    x11 = 1 / x2
-    x12 = x0 * x5 - 3 / 2 * x8
-    x13 = Omega * mu
-    x14 = x13 - q
-    x15 = np.sqrt(-x14)
-    x16 = q + x13
-    x17 = np.sqrt(x16)
-    x18 = np.sqrt(1 / x16)
-    x19 = Omega * x1
-    x20 = (
-        8 * x15 * x18 * (11 / 16 * x0 * x5 * x8 - 1 / 4 * x7 - 11 / 32 * x9) / (x14 * x19)
-        + x15 * x17 / Omega
-    )
+    x5 = x0 * x1
+    x6 = 1 / x5
+    x7 = 1 / x1
+    x8 = 1 / x0
+    x9 = x1 * x2
+    x10 = 1 / x9
+    x11 = q * q
+    x12 = x11 * x11
+    x13 = x12 * x4
+    x14 = 1 / x2
+    x15 = x12 * x14
+    x16 = mu * mu
+    x17 = x11 * x12
+    x18 = x16 * x16
+    x19 = x16 * x18
+    x20 = x18 * x18
+    x21 = x12 * x12
+    x22 = x2 * x5
+    x23 = Omega * x0
+    x24 = x1 * x23
+    x25 = 1 / x24
+    x26 = Omega * x1
+    x27 = 1 / x26
+    x28 = 1 / x23
+    x29 = Omega * x2
+    x30 = x12 / x29
+    x31 = x11 * x27
+    x32 = x2 * x23
+    x33 = 64 * x18
     # Outputs
-    lower = x10 * x4 + x11 * x12 - x20
-    upper = x10 * x4 + x11 * x12 + x20
-    return lower, upper
+    p0 = (
+        959 * x10 * x16 * x17 / 6 + 28 * x11 * x14 * x19 + 12 * x11 * x16 * x7 + 40 * x11 * x18 * x6
+        + 4 * x11 * x8 + 283 / 4 * x17 * x4 - 15 * x12 * x6 - 284 * x13 * x18 / 3
+        - 263 * x15 * x16 / 3 - 4 * x16 - 4 * x18 * x8 - 8 * x19 * x7 - 4 * x20 * x6
+        - 18769 * x21 / (144 * x22)
+    )
+    p1 = (
+        245 * x12 * x25 / 3 + 568 * x16 * x30 / 3 + 24 * x18 * x28 + 16 * x19 * x27
+        + 8 * x16 / Omega - 84 * x11 * x18 * x25 - 12 * x11 * x28 - 80 * x16 * x31
+        - 466 * x17 / (3 * x32)
+    )
+    p2 = (
+        1379 / 4 * x10 * x17 + 172 * x11 * x14 * x18 + 164 * x11 * x16 * x6 + 28 * x11 * x7
+        - 1178 * x13 * x16 / 3 - 139 * x15 - 16 * x16 * x8 - 48 * x18 * x7 - 32 * x19 * x6 - 4
+    )
+    p3 = 32 * x16 * x28 + x27 * x33 + 210 * x30 - 232 * x11 * x16 * x25 - 60 * x31
+    p4 = 240 * x11 * x14 * x16 - 225 * x13 - x33 * x6
+    reach = 1 / 4 * Omega
+    return zone((p0, p1, p2, p3, p4), reach=reach)
 
 
 def _resonance(Omega, q, mu):
@@ -339,9 +365,12 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case. No finite number
-    where q or mu is zero: what damping does as it vanishes depends on its distribution. Emit the
-    undamped case for that.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 4 leaves out terms of the edges from ε^5 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero, and
+    none that begins farther from it than Omega/4, half of the frequencies that resonate;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

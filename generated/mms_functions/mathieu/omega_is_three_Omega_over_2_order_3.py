@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 617beaf33ad720c4be1d63251541a0fc855f6943f7567465f76138c7b2281c2e
-# Operations for each point: growth_rate 42, boundaries 21, resonance 1, slow_flow_matrix 18,
+# Made from sha256 a9f971b77177f92e639624847320615d98c5a2a80c858cc546bb7db3173acd14
+# Operations for each point: growth_rate 42, boundaries 35, resonance 1, slow_flow_matrix 18,
 # characteristic_coefficients 42, slow_flow 25
 """mathieu: omega = 3/2*Omega + sigma, order 3.
 
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -102,21 +102,22 @@ def _growth_rate(sigma, Omega, q, mu):
 
 def _boundaries(Omega, q, mu):
     # Intermediates
-    x0 = Omega * Omega
+    x0 = q * q
     x1 = x0 * x0
-    x2 = Omega * x1
-    x3 = 12 * mu * x2
-    x4 = q * q
-    x5 = q * x4
-    x6 = np.sqrt(x5 - x3)
-    x7 = np.sqrt(x3 + x5)
-    x8 = x6 * x7 / (12 * x2)
-    x9 = Omega * x0
-    x10 = x4 / (12 * x9)
+    x2 = mu * mu
+    x3 = Omega * Omega
+    x4 = x3 * x3
+    x5 = x3 * x4
+    x6 = x0 * x1
+    x7 = x4 * x4
+    x8 = x3 * x7
+    x9 = Omega * x3
+    x10 = x4 * x9
     # Outputs
-    lower = x10 - x8
-    upper = x10 + x8
-    return lower, upper
+    p0 = x6 / (36 * x8) - x1 / (36 * x5) - 4 * x2
+    p1 = 2 * x0 / (3 * x9) + 13 * x1 / (108 * x10)
+    p2 = -13 * x0 / (9 * x4) - 169 * x1 / (1296 * x7) - 4
+    return zone((p0, p1, p2))
 
 
 def _resonance(Omega, q, mu):
@@ -217,7 +218,11 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 3 leaves out terms of the edges from ε^4 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 80f00570513b86e5743e084d0b0cec1cd93c86686f6fd819b4c8db50a6afb06a
-# Operations for each point: growth_rate 78, boundaries 27, resonance 1, slow_flow_matrix 35,
+# Made from sha256 c7cf239b7033f229dcd00466c1ed19be8ff5b7d2768ec857c721fa5f19d0da38
+# Operations for each point: growth_rate 78, boundaries 63, resonance 1, slow_flow_matrix 35,
 # characteristic_coefficients 78, slow_flow 39
 """mathieu: omega = 3/2*Omega + sigma, order 4.
 
@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -116,21 +116,30 @@ def _boundaries(Omega, q, mu):
     # Intermediates
     x0 = Omega * Omega
     x1 = x0 * x0
-    x2 = Omega * x1
-    x3 = 12 * mu * x2
-    x4 = q * q
-    x5 = q * x4
-    x6 = np.sqrt(x5 - x3)
-    x7 = np.sqrt(x3 + x5)
-    x8 = x6 * x7 / (12 * x2)
-    x9 = Omega * x0
-    x10 = x4 * x4
-    x11 = x1 * x9
-    x12 = 97 * x10 / (8640 * x11) + x4 / (12 * x9)
+    x2 = x1 * x1
+    x3 = x0 * x2
+    x4 = 1 / x3
+    x5 = q * q
+    x6 = x5 * x5
+    x7 = x5 * x6
+    x8 = mu * mu
+    x9 = x6 * x6
+    x10 = x0 * x1
+    x11 = x10 * x2
+    x12 = Omega * x0
+    x13 = x12 * x2
+    x14 = x1 * x12
+    x15 = x1 * x2
+    x16 = Omega * x1
+    x17 = Omega * x2
     # Outputs
-    lower = x12 - x8
-    upper = x12 + x8
-    return lower, upper
+    p0 = 133 * x4 * x7 / 12960 - 4 * x8 - 51529 * x9 / (18662400 * x11) - x6 / (36 * x10)
+    p1 = 119 * x6 / (360 * x14) + 2 * x5 / (3 * x12) - 10009 * x7 / (77760 * x13)
+    p2 = 18107 * x7 / (93312 * x15) - 4 - 133 * x6 / (432 * x2) - 13 * x5 / (9 * x1)
+    p3 = 1495 * x6 / (3888 * x17) + 115 * x5 / (54 * x16)
+    p4 = -13225 * x4 * x6 / 46656
+    reach = 3 / 4 * Omega
+    return zone((p0, p1, p2, p3, p4), reach=reach)
 
 
 def _resonance(Omega, q, mu):
@@ -256,7 +265,12 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 4 leaves out terms of the edges from ε^5 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero, and
+    none that begins farther from it than 3*Omega/4, half of the frequencies that resonate;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

@@ -184,11 +184,10 @@ CASES: dict[str, dict[str, Any]] = {
         "kind": "difference combination",
         "order": 2,
         "coordinates": ("eta_1", "eta_2"),
-        "unstable": False,
+        "unstable": None,
         "reason": (
-            "the discriminant of Gamma**2 + I*Gamma*sigma + "
-            "Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2) is negative at every "
-            "detuning, the modes only exchange energy"
+            "the sign of the discriminant of Gamma**2 + I*Gamma*sigma + "
+            "Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2), of degree 2, decides"
         ),
         "functions": (
             "growth_rate",

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 72269a4f5605c8d5b375a3066d276febba4bc55fc471936d8bc007a65e078a11
-# Operations for each point: growth_rate 126, boundaries 59, resonance 1, slow_flow_matrix 68,
+# Made from sha256 99a04b5ff71bb07e538b758d6d99711dcf37fbd4fb9a0bcb16863a4bda26c6a7
+# Operations for each point: growth_rate 126, boundaries 120, resonance 1, slow_flow_matrix 68,
 # characteristic_coefficients 147, slow_flow 79, leading 9
 """rotating_shaft: nu = omega_1 + omega_2 + sigma, order 2.
 
@@ -24,12 +24,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._eigenmodes import modal_values
 from .._runtime import (
     checked,
     checked_amplitudes,
-    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -148,28 +147,54 @@ def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
 def _boundaries(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
     # Intermediates
     x0 = 1 / omega_2
-    x1 = np.sqrt(x0 / omega_1)
-    x2 = 1 / 2 * kappa * x1 * np.abs(Phi_alpha_1) * np.abs(Phi_alpha_2)
-    x3 = omega_1 * omega_1
-    x4 = 1 / x3
-    x5 = kappa * kappa
-    x6 = x4 * x5
-    x7 = 1 / 16 * x6
-    x8 = 2 * Phi_alpha_2
-    x9 = Phi_alpha_1 * Phi_alpha_1
-    x10 = Phi_alpha_2 * Phi_alpha_2
-    x11 = x9 * x9
-    x12 = x10 * x10
-    x13 = (
-        x0 * x10 * x7 * (Phi_alpha_1 - x8) * (Phi_alpha_1 + x8) + x11 * x7 / (3 * omega_1 + omega_2)
-        + 9 / 16 * x12 * x6 / (omega_1 + 3 * omega_2) + x7 * (Phi_alpha_1 - Phi_alpha_2)
-        * (Phi_alpha_1 + Phi_alpha_2) * (x10 + x9) / (omega_1 - omega_2)
-        - 1 / 16 * x10 * x4 * x5 * x9 / (omega_1 + omega_2)
+    x1 = Phi_alpha_1 * Phi_alpha_1
+    x2 = Phi_alpha_2 * Phi_alpha_2
+    x3 = x1 * x2
+    x4 = kappa * kappa
+    x5 = x3 * x4
+    x6 = omega_1 * omega_1
+    x7 = x6 * x6
+    x8 = omega_2 * omega_2
+    x9 = x8 * x8
+    x10 = omega_1 + 3 * omega_2
+    x11 = x10 * x10
+    x12 = 3 * omega_1 + omega_2
+    x13 = x12 * x12
+    x14 = omega_1 + omega_2
+    x15 = x14 * x14
+    x16 = omega_1 - omega_2
+    x17 = x16 * x16
+    x18 = x4 * x4
+    x19 = omega_1 * x9
+    x20 = omega_2 * x7
+    x21 = 3 * x3
+    x22 = omega_2 * x8
+    x23 = x22 * x6
+    x24 = omega_1 * x6
+    x25 = x24 * x8
+    x26 = 10 * x3
+    x27 = x1 * x1
+    x28 = x2 * x2
+    x29 = omega_2 * x9
+    x30 = omega_1 * x7
+    x31 = (
+        x19 * x26 + 12 * x19 * x27 + x21 * x23 + x21 * x29 + 16 * x23 * x27 + 4 * x25 * x27
+        - x20 * x26 - 12 * x20 * x28 - x21 * x25 - x21 * x30 - 4 * x23 * x28 - 16 * x25 * x28
     )
+    x32 = x31 * x31
+    x33 = 1 / x6
+    x34 = 1 / 8 * x33
+    x35 = 2 * Phi_alpha_2
     # Outputs
-    lower = -x13 - x2
-    upper = x2 - x13
-    return defined(lower, upper)
+    p0 = 1 / 4 * x0 * x5 / omega_1 - 1 / 256 * x18 * x32 / (x11 * x13 * x15 * x17 * x7 * x9)
+    p1 = (
+        x4 * (1 / 8 * x1 * x2 * x33 / x14
+        - x0 * x2 * x34 * (Phi_alpha_1 - x35) * (Phi_alpha_1 + x35)
+        - x34 * (Phi_alpha_1 - Phi_alpha_2) * (Phi_alpha_1 + Phi_alpha_2) * (x1 + x2) / x16
+        - x27 * x34 / x12 - 9 / 8 * x28 * x33 / x10)
+    )
+    p2 = 1 / 16 * x33 * x5 / x8 - 1
+    return zone((p0, p1, p2))
 
 
 def _resonance(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
@@ -370,7 +395,11 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

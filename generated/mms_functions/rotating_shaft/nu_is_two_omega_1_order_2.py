@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 14b68db95b4e279a77006de97526c147d6e0ccfc1c0758ade79558155f37245b
-# Operations for each point: growth_rate 83, boundaries 46, resonance 1, slow_flow_matrix 66,
+# Made from sha256 565c07a4778ec2c12ee9634c10d07e8266e4d3032f866e70c3cd963d9521fc81
+# Operations for each point: growth_rate 83, boundaries 77, resonance 1, slow_flow_matrix 66,
 # characteristic_coefficients 98, slow_flow 73, leading 9
 """rotating_shaft: nu = 2*omega_1 + sigma, order 2.
 
@@ -24,12 +24,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._eigenmodes import modal_values
 from .._runtime import (
     checked,
     checked_amplitudes,
-    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -136,25 +135,39 @@ def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
 def _boundaries(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
     # Intermediates
     x0 = Phi_alpha_1 * Phi_alpha_1
-    x1 = 1 / 2 * kappa * x0 / omega_1
-    x2 = -omega_2
-    x3 = 3 * omega_1
-    x4 = omega_1 * omega_1
-    x5 = omega_2 * omega_2
-    x6 = x4 * x5
-    x7 = x4 * x4
-    x8 = Phi_alpha_2 * Phi_alpha_2
-    x9 = kappa * kappa
-    x10 = omega_1 * x4
-    x11 = x5 * x5
-    x12 = (
-        1 / 32 * x0 * x9 * (x0 * x11 + 9 * x0 * x7 + 16 * x6 * x8 - 10 * x0 * x6 - 80 * x7 * x8)
-        / (x10 * (omega_1 + omega_2) * (omega_1 + x2) * (omega_2 + x3) * (x2 + x3))
-    )
+    x1 = x0 * x0
+    x2 = kappa * kappa
+    x3 = omega_1 * omega_1
+    x4 = omega_1 + omega_2
+    x5 = x4 * x4
+    x6 = -omega_2
+    x7 = omega_1 + x6
+    x8 = x7 * x7
+    x9 = 3 * omega_1
+    x10 = omega_2 + x9
+    x11 = x10 * x10
+    x12 = x6 + x9
+    x13 = x12 * x12
+    x14 = x2 * x2
+    x15 = x3 * x3
+    x16 = x15 * x3
+    x17 = x0 * x15
+    x18 = omega_2 * omega_2
+    x19 = x18 * x18
+    x20 = x0 * x19
+    x21 = Phi_alpha_2 * Phi_alpha_2
+    x22 = 80 * x15 * x21
+    x23 = x18 * x3
+    x24 = x0 * x23
+    x25 = 16 * x21 * x23
+    x26 = 27 * x17 + 3 * x20 + x22 - 30 * x24 - x25
+    x27 = x26 * x26
+    x28 = omega_1 * x3
     # Outputs
-    lower = -x1 - x12
-    upper = x1 - x12
-    return defined(lower, upper)
+    p0 = 1 / 4 * x1 * x2 / x3 - 1 / 1024 * x1 * x14 * x27 / (x11 * x13 * x16 * x5 * x8)
+    p1 = -1 / 16 * x0 * x2 * (9 * x17 + x20 + x25 - x22 - 10 * x24) / (x10 * x12 * x28 * x4 * x7)
+    p2 = 1 / 16 * x1 * x2 / x15 - 1
+    return zone((p0, p1, p2))
 
 
 def _resonance(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
@@ -332,7 +345,11 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------

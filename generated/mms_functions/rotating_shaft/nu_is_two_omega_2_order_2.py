@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 43c3cf0a5c90bff9e999be1fd8b88877cba3e4a3fd36cd7000ab069de7bb6354
-# Operations for each point: growth_rate 88, boundaries 46, resonance 1, slow_flow_matrix 68,
+# Made from sha256 c8deaf114313c123193fb9ae4eac7a330b2d456a42050615f6c91546a885e56e
+# Operations for each point: growth_rate 88, boundaries 82, resonance 1, slow_flow_matrix 68,
 # characteristic_coefficients 104, slow_flow 75, leading 9
 """rotating_shaft: nu = 2*omega_2 + sigma, order 2.
 
@@ -24,12 +24,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges
+from .._edges import explicit_edges, zone
 from .._eigenmodes import modal_values
 from .._runtime import (
     checked,
     checked_amplitudes,
-    defined,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -133,24 +132,39 @@ def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
 def _boundaries(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
     # Intermediates
     x0 = Phi_alpha_2 * Phi_alpha_2
-    x1 = 1 / 2 * kappa * x0 / omega_2
-    x2 = 3 * omega_2
+    x1 = x0 * x0
+    x2 = kappa * kappa
     x3 = omega_2 * omega_2
-    x4 = omega_1 * omega_1
-    x5 = x3 * x4
-    x6 = Phi_alpha_1 * Phi_alpha_1
-    x7 = x3 * x3
-    x8 = kappa * kappa
-    x9 = omega_2 * x3
-    x10 = x4 * x4
-    x11 = (
-        1 / 32 * x0 * x8 * (x0 * x10 + 9 * x0 * x7 + 16 * x5 * x6 - 10 * x0 * x5 - 80 * x6 * x7)
-        / (x9 * (omega_1 - omega_2) * (omega_1 + omega_2) * (omega_1 - x2) * (omega_1 + x2))
-    )
+    x4 = omega_1 + omega_2
+    x5 = x4 * x4
+    x6 = 3 * omega_2
+    x7 = omega_1 - x6
+    x8 = x7 * x7
+    x9 = omega_1 - omega_2
+    x10 = x9 * x9
+    x11 = omega_1 + x6
+    x12 = x11 * x11
+    x13 = x2 * x2
+    x14 = x3 * x3
+    x15 = x14 * x3
+    x16 = Phi_alpha_1 * Phi_alpha_1
+    x17 = 80 * x14 * x16
+    x18 = omega_1 * omega_1
+    x19 = x18 * x18
+    x20 = x0 * x19
+    x21 = x0 * x14
+    x22 = 30 * x0 * x18 * x3 + 16 * x16 * x18 * x3 - x17 - 3 * x20 - 27 * x21
+    x23 = x22 * x22
+    x24 = x18 * x3
+    x25 = omega_2 * x3
     # Outputs
-    lower = -x1 - x11
-    upper = x1 - x11
-    return defined(lower, upper)
+    p0 = 1 / 4 * x1 * x2 / x3 - 1 / 1024 * x1 * x13 * x23 / (x10 * x12 * x15 * x5 * x8)
+    p1 = (
+        -1 / 16 * x0 * x2 * (16 * x16 * x24 + x20 + 9 * x21 - 10 * x0 * x24 - x17) / (x11 * x25 * x4
+        * x7 * x9)
+    )
+    p2 = 1 / 16 * x1 * x2 / x14 - 1
+    return zone((p0, p1, p2))
 
 
 def _resonance(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
@@ -321,7 +335,11 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------
