@@ -11,8 +11,8 @@ from flint import fmpq
 from mmsgen.dominance import Domain, never_positive
 from mmsgen.field import Coefficient, ParameterField
 
-FIELD = ParameterField(("a", "b", "g", "n", "w", "v", "s"))
-a, b, g, n, w, v, s = (FIELD.generator(name) for name in FIELD.names)
+FIELD = ParameterField(("a", "b", "g", "n", "w", "v", "p", "s"))
+a, b, g, n, w, v, p, s = (FIELD.generator(name) for name in FIELD.names)
 DOMAIN = Domain(frozenset("wv"), frozenset("abwv"), frozenset("n"))
 WEIGHTS = {"a": 1, "b": 1, "g": 1, "n": 1, "s": 1}
 
@@ -22,6 +22,7 @@ PROVED = {
     "negative generators": (a * n, FIELD.zero, n),
     "corrections of any sign": (-a * b + a * b * g, a * b * g, -FIELD.one + g, a),
     "centre off zero": (-a * b - b**4, (b * b).scale(2), -FIELD.one),
+    "shapes of modes": (-a * b * p * p + a * b * b * p**3, FIELD.zero, -FIELD.one),
     "constant": (-a * b + a * b * b,),
     "zero": (FIELD.zero,),
 }
@@ -33,6 +34,7 @@ OPEN = {
     "a square that vanishes": (-((a - b) ** 2) + a**3, FIELD.zero, -FIELD.one),
     "frequencies that cancel": (-((w - v) ** 2) * a * a + a**3, FIELD.zero, -FIELD.one),
     "far from resonance": (-a, FIELD.zero, b),
+    "a shape that vanishes": (-a * b * p * p + a * b * b * p, FIELD.zero, -FIELD.one),
     "positive": (a, FIELD.zero, -FIELD.one),
     "odd": (-a, FIELD.one, FIELD.zero, -FIELD.one),
 }
@@ -53,7 +55,7 @@ def largest(criterion: tuple[Coefficient, ...]) -> Fraction:
     for x, y, z, detuning in itertools.product(small, small, small, [-1, 0, 1]):
         for width in small[1:]:
             for speed in (Fraction(2), Fraction(3)):
-                point = (x, y, z, -x - 1, speed, Fraction(3), Fraction(0))
+                point = (x, y, z, -x - 1, speed, Fraction(3), y - z, Fraction(0))
                 numbers = dict(zip(FIELD.names, point, strict=True))
                 at = detuning * width
                 parts = (value(c, numbers) * at**k for k, c in enumerate(criterion))

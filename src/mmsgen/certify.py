@@ -160,13 +160,13 @@ def _scalars(table: Mapping[str, Any]) -> dict[str, float]:
 
 
 def _has_zone(case: Expansion, module: Any, values: Mapping[str, float]) -> bool:
-    """Whether edges are emitted, and the slow flow has a zone at these values, also as ε → 0.
+    """Whether edges are emitted, and the slow flow has a zone as ε → 0.
 
     A damper of a lower order than the coupling closes it there.
     """
     if not case.relations or not hasattr(module, "boundaries"):
         return False
-    slow = [scaled_values(case, values, e)[0] for e in (1.0, EDGE_EPSILONS[-1])]
+    slow = [scaled_values(case, values, e)[0] for e in (EDGE_EPSILONS[0], EDGE_EPSILONS[-1])]
     return all(bool(np.all(np.isfinite(case.slow_flow.boundaries(v)))) for v in slow)
 
 

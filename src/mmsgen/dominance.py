@@ -121,6 +121,8 @@ def never_positive(
             return True
     names = criterion[0].field.names
     small = {n: w for n, w in weights.items() if w and n in names and n != detuning}
+    # What may vanish for another reason, such as an entry of a mode shape.
+    small |= {n: 0 for n in names if n not in {*domain.positive, *weights, detuning}}
     if any(_divided_by(c, small) for c in criterion):
         return False
     if len(criterion) == 3:

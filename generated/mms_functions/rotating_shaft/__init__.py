@@ -184,10 +184,11 @@ CASES: dict[str, dict[str, Any]] = {
         "kind": "difference combination",
         "order": 2,
         "coordinates": ("eta_1", "eta_2"),
-        "unstable": None,
+        "unstable": False,
         "reason": (
-            "the sign of the discriminant of Gamma**2 + I*Gamma*sigma + "
-            "Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2), of degree 2, decides"
+            "the discriminant of Gamma**2 + I*Gamma*sigma + "
+            "Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2) is negative at every "
+            "detuning, the modes only exchange energy"
         ),
         "functions": (
             "growth_rate",

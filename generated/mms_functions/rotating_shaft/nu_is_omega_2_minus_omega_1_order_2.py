@@ -1,14 +1,15 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 e7d0ccec1b1578d88e885d3e1155e52275a8eddf78330026bc8ba55fb3de9f1d
-# Operations for each point: growth_rate 126, boundaries 118, resonance 1, slow_flow_matrix 62,
-# characteristic_coefficients 154, slow_flow 76, leading 9
+# Made from sha256 631fa5cf9753e0b3a8edab34216905adfcc388a22e92ca8053c24dbaffe1995b
+# Operations for each point: growth_rate 126, slow_flow_matrix 62, characteristic_coefficients 154,
+# slow_flow 76, leading 9
 """rotating_shaft: nu = omega_2 - omega_1 + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
 scales through order 2 in ε, of eta_1, eta_2. Results are written at ε = 1.
 
-Stability depends: the sign of the discriminant of Gamma**2 + I*Gamma*sigma +
-Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2), of degree 2, decides.
+It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
+Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2) is negative at every detuning, the modes
+only exchange energy.
 
 No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
 and a case of its own: 3*omega_1 - omega_2, omega_1 - 3*omega_2, omega_1 - omega_2.
@@ -23,7 +24,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .._edges import explicit_edges, zone
 from .._eigenmodes import modal_values
 from .._runtime import (
     checked,
@@ -33,6 +33,7 @@ from .._runtime import (
     evaluate_pair,
     growing,
     multiply_out,
+    no_edges,
 )
 
 if TYPE_CHECKING:
@@ -142,65 +143,6 @@ def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
         - 1 / 4 * x0 * x14 * x3 / omega_1
     )
     return growing(discriminant_1)
-
-
-def _boundaries(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
-    # Intermediates
-    x0 = 1 / omega_2
-    x1 = Phi_alpha_1 * Phi_alpha_1
-    x2 = Phi_alpha_2 * Phi_alpha_2
-    x3 = x1 * x2
-    x4 = kappa * kappa
-    x5 = x3 * x4
-    x6 = omega_1 * omega_1
-    x7 = x6 * x6
-    x8 = omega_2 * omega_2
-    x9 = x8 * x8
-    x10 = -omega_2
-    x11 = omega_1 + x10
-    x12 = x11 * x11
-    x13 = 3 * omega_1 + x10
-    x14 = x13 * x13
-    x15 = omega_1 + omega_2
-    x16 = x15 * x15
-    x17 = omega_1 - 3 * omega_2
-    x18 = x17 * x17
-    x19 = x4 * x4
-    x20 = omega_1 * x9
-    x21 = omega_2 * x7
-    x22 = 3 * x3
-    x23 = omega_2 * x8
-    x24 = x23 * x6
-    x25 = omega_1 * x6
-    x26 = x25 * x8
-    x27 = 10 * x3
-    x28 = x1 * x1
-    x29 = x2 * x2
-    x30 = omega_1 * x7
-    x31 = omega_2 * x9
-    x32 = (
-        x20 * x27 + 12 * x20 * x28 + x21 * x27 + 12 * x21 * x29 + 4 * x24 * x29 + 4 * x26 * x28
-        - x22 * x24 - x22 * x26 - x22 * x30 - x22 * x31 - 16 * x24 * x28 - 16 * x26 * x29
-    )
-    x33 = x32 * x32
-    x34 = 1 / x6
-    x35 = 1 / 8 * x34
-    x36 = 2 * Phi_alpha_2
-    # Outputs
-    p0 = -1 / 256 * x19 * x33 / (x12 * x14 * x16 * x18 * x7 * x9) - 1 / 4 * x0 * x5 / omega_1
-    p1 = (
-        x4 * (9 / 8 * x29 * x34 / x17
-        + x35 * (Phi_alpha_1 - Phi_alpha_2) * (Phi_alpha_1 + Phi_alpha_2) * (x1 + x2) / x15
-        + x28 * x35 / x13 - x0 * x2 * x35 * (Phi_alpha_1 - x36) * (Phi_alpha_1 + x36)
-        - x3 * x35 / x11)
-    )
-    p2 = 1 / 16 * x34 * x5 / x8 - 1
-    return zone((p0, p1, p2))
-
-
-def _resonance(kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
-    centre = omega_2 - omega_1
-    return centre, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2
 
 
 def _slow_flow_matrix(out, sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
@@ -392,11 +334,7 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    The interval of sigma in which growth_rate is positive: where one of the polynomials with the
-    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
-    Order 2 leaves out terms of the edges from ε^3 on; by as much differs the formula of
-    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
-    SlowFlow.zones() gives all of them.
+    This case cannot be unstable for any detuning: NaN everywhere.
 
     Parameters
     ----------
@@ -426,16 +364,16 @@ def boundaries(
         PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
         Phi_alpha_2=Phi_alpha_2,
     )
-    return evaluate_pair(_boundaries, arguments)
+    return evaluate_pair(no_edges, arguments)
 
 
 def critical_speeds(
     *, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike,
     Phi_alpha_2: ArrayLike,
 ) -> tuple[Any, Any]:
-    """Both edges of the unstable zone in nu.
+    """Both edges of the unstable zone in the detuned frequency: there is none.
 
-    Where nu = omega_2 - omega_1 + sigma lies on an edge of `boundaries`.
+    This case cannot be unstable for any detuning: NaN everywhere.
 
     Parameters
     ----------
@@ -453,8 +391,7 @@ def critical_speeds(
     Returns
     -------
     lower, upper : float64
-        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
-        edge.
+        NaN, float64, in the shape to which the arguments broadcast.
 
     Raises
     ------
@@ -465,7 +402,7 @@ def critical_speeds(
         PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
         Phi_alpha_2=Phi_alpha_2,
     )
-    return explicit_edges(_resonance, _boundaries, 1, arguments)
+    return evaluate_pair(no_edges, arguments)
 
 
 def slow_flow_matrix(
