@@ -124,13 +124,16 @@ def test_order_2_moves_the_centre_of_the_zone_not_its_width() -> None:
         Omega_is_omega_x_plus_omega_phi_order_2 as second,
     )
 
-    values = {"r_m": 0.05, "r_b": 0.3, "omega_x": 18.7, "omega_phi": 11.3}
-    low, high = first.boundaries(**values)
-    lower, upper = second.boundaries(**values, omega_y=25.9)
-    assert low == -high
-    # rounding of a few operations
-    assert upper - lower == pytest.approx(high - low, rel=1e-14)
-    assert abs(upper + lower) > 0.01
+    changes = []
+    for size in (1 / 8, 1 / 16):
+        values = {"r_m": 0.05 * size, "r_b": 0.3 * size, "omega_x": 18.7, "omega_phi": 11.3}
+        low, high = first.boundaries(**values)
+        lower, upper = second.boundaries(**values, omega_y=25.9)
+        assert low == -high
+        assert abs(upper + lower) > 0.1 * size**2
+        changes.append((upper - lower) / (high - low) - 1)
+    # What order 2 leaves out: two orders in epsilon beside the width, and next to it two more.
+    assert math.log2(changes[0] / changes[1]) == pytest.approx(2, abs=0.01)
 
 
 def test_a_whirling_fuselage_widens_the_zone_by_the_root_of_two() -> None:
