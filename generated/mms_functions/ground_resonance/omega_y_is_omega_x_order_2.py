@@ -7,10 +7,8 @@
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
 scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are written at ε = 1.
 
-It cannot be unstable: the discriminant of Gamma**2 - I*Gamma*sigma -
-omega_x**3*r_b*r_m*sigma*(Omega**2 - omega_phi**2 + omega_x**2)/((Omega - omega_phi -
-omega_x)*(Omega - omega_phi + omega_x)*(Omega + omega_phi - omega_x)*(Omega + omega_phi + omega_x))
-is negative at every detuning, the modes only exchange energy; one mode turns without growing.
+It cannot be unstable: the discriminant of a factor of degree 2 in Gamma is negative at every
+detuning, the modes only exchange energy; one mode turns without growing.
 
 No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
 and a case of its own: Omega + omega_phi - omega_x, Omega - omega_phi + omega_x, Omega - omega_phi -
