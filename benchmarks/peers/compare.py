@@ -150,12 +150,13 @@ def oscilate_gaps(name: str, report: dict[str, Any]) -> list[float]:
 def complex_form_gap(rotated: Rotated, there: sp.Expr, fundamental: str) -> sp.Expr:
     """d/dt of the fundamental h(A, Ā) of x by the peer's rates, minus our rate at h(A, Ā)."""
     forward, bar = sp.Symbol("A_0"), sp.Symbol("Abar_0")
-    h = sp.expand(read(fundamental, forward, bar, *rotated.symbols))
-    swap = {forward: bar, bar: forward, sp.I: -sp.I}
+    h = sp.expand(without_exponentials(read(fundamental, forward, bar, *rotated.symbols, t), {}))
+    swap = {forward: bar, bar: forward, sp.I: -sp.I, turn: 1 / turn}
     h_bar = h.subs(swap, simultaneous=True)
     (a,), (b,) = rotated.polar()
     there_bar = there.subs({rotated.z[0]: 1 / rotated.z[0], turn: 1 / turn, sp.I: -sp.I})
     moved = h.diff(forward) * there + h.diff(bar) * there_bar
+    moved += h.diff(turn) * turn * sp.I * sigma / PARTS
     values = {forward: a, bar: b}
     inner = rotated.ours(0, [h.subs(values)], [h_bar.subs(values)])
     return sp.expand(moved.subs(values)) - sp.expand(inner)

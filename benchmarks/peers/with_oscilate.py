@@ -92,6 +92,7 @@ def fundamentals(expansion: Any) -> list[str]:
         wave = sp.exp(sp.I * frequency * expansion.tS[0])
         total = sp.Add(*orders).expand().subs(expansion.sub.sub_scaling_back).subs(epsilon, 1)
         names = [(a, sp.Symbol(f"A_{i}")) for i, a in enumerate(expansion.coord.A)]
+        names += [(expansion.sigma, sp.Symbol("sigma")), (expansion.tS[1], t)]
         bars = [(sp.conjugate(a), sp.Symbol(f"Abar_{i}")) for i, a in enumerate(expansion.coord.A)]
         result.append(str(total.subs(bars).subs(names).expand().coeff(wave)))
     return result
