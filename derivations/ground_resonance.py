@@ -230,7 +230,19 @@ display(report.verdict(sum_x[1]))
 report.boundary(sum_x[1])
 
 # %% [markdown]
-# At order 2 the frequencies shift. The secular terms, with those of blade 1 for all blades:
+# Now the rest of order 1 can be solved. These are the particular solutions of $x$ and of blade 1;
+# they hold no part at the coordinate's own frequency, so that $A_j$ is the whole fundamental. Each
+# denominator is one of the divisors $(\omega_j - \nu)(\omega_j + \nu)$ of section 5, at exact
+# resonance:
+
+# %%
+report.particular(sum_x[2], 1, only=[x, phi_1])
+
+# %% [markdown]
+# Two kinds of terms make the secular terms of order 2: products of these particular solutions with
+# the coupling, and what the order-1 terms leave when their coefficients, such as
+# $\Omega^2 = (\omega_x + \omega_\phi + \varepsilon\sigma)^2$, and their frequencies are
+# expanded in ε. The latter carry $\sigma$. With blade 1 for all blades:
 
 # %%
 report.secular(sum_x[2], 2, only=[x, y, phi_1])
@@ -273,8 +285,9 @@ for number, relation in enumerate(others, start=1):
     display(report.solvability(first, 1, only=moving))
     display(report.polynomial(first))
     display(report.verdict(first))
-    display(Markdown("Solvability condition of the fuselage at order 2:"))
-    display(report.solvability(second, 2, only=[q for q in moving if q in (x, y)]))
+    display(Markdown("Order 2, with blade 1 for all blades, and the characteristic polynomial:"))
+    display(report.solvability(second, 2, only=[*(q for q in moving if q in (x, y)), phi_1]))
+    display(report.polynomial(second))
     if first.slow_flow.stability.unstable:
         display(Markdown("Edges of the zone, to order 1 and to order 2:"))
         display(report.boundary(first))
@@ -309,17 +322,37 @@ report.boundary(whirl[2])
 together = {
     order: scaled.expand(order, {Omega: omega_x + omega_phi, omega_y: omega_x}) for order in (1, 2)
 }
-report.polynomial(together[1])
+display(report.secular(together[1], 1, only=[x, y, phi_1]))
+display(report.solvability(together[1], 1, only=[x, y, phi_1]))
+display(report.polynomial(together[1]))
+report.verdict(together[1])
 
 # %% [markdown]
-# Away from all resonances the rotor is neutral; to order 2 the frequencies shift. So they do at the
-# internal resonance $\omega_y = \omega_x$, where the two directions of the fuselage couple at order
-# 2.
+# At order 2, with blade 1 for all blades:
+
+# %%
+report.solvability(together[2], 2, only=[x, y, phi_1])
+
+# %% [markdown]
+# Away from all resonances order 1 has no secular terms, and the rotor is neutral. To order 2 the
+# frequencies shift:
 
 # %%
 nonresonant = {order: scaled.expand(order) for order in (1, 2)}
+display(report.secular(nonresonant[1], 1, only=[x, y, phi_1]))
+display(report.solvability(nonresonant[2], 2, only=[x, y, phi_1]))
+report.verdict(nonresonant[2])
+
+# %% [markdown]
+# So they do at the internal resonance $\omega_y = \omega_x$, where terms of order 2 couple the two
+# directions of the fuselage:
+
+# %%
 internal = scaled.expand(2, {omega_y: omega_x})
-report.polynomial(internal)
+display(report.secular(internal, 2, only=[x, y, phi_1]))
+display(report.solvability(internal, 2, only=[x, y, phi_1]))
+display(report.polynomial(internal))
+report.verdict(internal)
 
 # %% [markdown]
 # ## 8. Certificates

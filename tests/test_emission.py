@@ -103,7 +103,7 @@ def test_a_case_that_cannot_be_certified_is_left_out_by_name() -> None:
     partly = emission(samples=lambda case: weak if case.order == 2 else VALUES)
     assert list(partly.certificates) == ["nonresonant_order_1"]
     (failure,) = partly.failures
-    assert failure.startswith("without resonance at order 2: only 0 of 12 errors of the charact")
+    assert failure.startswith("without resonance at order 2: only 0 of 16 errors of the charact")
     assert not any("order_2" in name for name in partly.files())
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from typing import Annotated
 
@@ -67,12 +68,16 @@ def make(
 def _make(project: Project, name: str, check: bool) -> Outcome:
     """Make one derivation, and say what has changed."""
     start = time.perf_counter()
-    with console.status(f"{name}: starting") as status:
+    if "-j" in os.environ.get("MAKEFLAGS", ""):
+        # Several at once would write over one another's line.
+        outcome = make_one(project, name, check=check)
+    else:
+        with console.status(f"{name}: starting") as status:
 
-        def show(cell: int, cells: int) -> None:
-            status.update(f"{name}: cell {cell + 1} of {cells}")
+            def show(cell: int, cells: int) -> None:
+                status.update(f"{name}: cell {cell + 1} of {cells}")
 
-        outcome = make_one(project, name, check=check, progress=show)
+            outcome = make_one(project, name, check=check, progress=show)
     word = "differ" if check else "changed"
     seconds = time.perf_counter() - start
     _say(f"{name}: {len(outcome.changed)} files {word}, {seconds:.0f} s")

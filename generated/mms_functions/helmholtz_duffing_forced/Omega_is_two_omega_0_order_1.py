@@ -1,5 +1,5 @@
 # Emitted by mmsgen 0.1.0 from derivations/helmholtz_duffing_forced.py: change that, not this file.
-# Made from sha256 ae5cc2e8103290d736758e3d2c12514eaa0e889a7cddd172905ea7349b71dcd5
+# Made from sha256 31dcf40794fa962327438c3742aec87fd27f33962b87b41ce1ba2f703b35fb80
 # Operations for each point: growth_rate 15, boundaries 13, resonance 1, slow_flow_matrix 7,
 # characteristic_coefficients 15, slow_flow 15
 """helmholtz_duffing_forced: Omega = 2*omega_0 + sigma, order 1.
@@ -96,13 +96,13 @@ def _growth_rate(sigma, omega_0, alpha_2, mu, K):
 
 def _boundaries(omega_0, alpha_2, mu, K):
     # Intermediates
-    x0 = K * alpha_2
-    x1 = omega_0 * omega_0
-    x2 = omega_0 * x1
-    x3 = 6 * mu * x2
-    x4 = np.sqrt(x0 - x3)
-    x5 = np.sqrt(x0 + x3)
-    x6 = x4 * x5 / (3 * x2)
+    x0 = mu * mu
+    x1 = K * K
+    x2 = alpha_2 * alpha_2
+    x3 = omega_0 * omega_0
+    x4 = x3 * x3
+    x5 = x3 * x4
+    x6 = np.sqrt(x1 * x2 / (9 * x5) - 4 * x0)
     # Outputs
     lower = -x6
     upper = x6
@@ -195,7 +195,10 @@ def boundaries(
 ) -> tuple[Any, Any]:
     """Both edges of the unstable interval of sigma.
 
-    In closed form, expanded in the small parameters to the order of this case.
+    In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 1
+    leaves out terms of the edges from ε^2 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero;
+    SlowFlow.zones() gives all of them.
 
     Parameters
     ----------
