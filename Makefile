@@ -40,7 +40,7 @@ all: $(STAMPS)  ## derive, emit, certify, execute the notebooks: only what chang
 check: $(DERIVATIONS:%=check-%)  ## fail when the committed output differs from fresh output
 	@:
 
-check-%: $(ENV)
+$(DERIVATIONS:%=check-%): check-%: $(ENV)
 	$(BIN)/python -m mmsgen make --check $*
 
 test: $(ENV)  ## the tests, with ruff and mypy among them
