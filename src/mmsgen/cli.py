@@ -70,7 +70,7 @@ def _make(project: Project, name: str, check: bool) -> Outcome:
     start = time.perf_counter()
     if "-j" in os.environ.get("MAKEFLAGS", ""):
         # Several at once would write over one another's line.
-        outcome = make_one(project, name, check=check)
+        outcome = make_one(project, name, check=check, progress=lambda cell, cells: None)
     else:
         with console.status(f"{name}: starting") as status:
 
