@@ -11,9 +11,9 @@ import sympy as sp
 from systems import Omega, alpha, beta, d, equations, f, k, kappa, p, same, t, x, y, z
 
 import mmsgen as mg
-from mmsgen.eigenmodes import eigenmodes, modal_values, real_roots
 from mmsgen.errors import ScalingError
 from mmsgen.loading import load
+from mmsgen.runtime._eigenmodes import eigenmodes, modal_values, real_roots
 from mmsgen.sampling import scaled_values
 from mmsgen.scaling import ScaledSystem
 

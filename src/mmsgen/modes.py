@@ -29,12 +29,12 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from .eigenmodes import Layout, modal_values
 from .errors import ScalingError
 from .field import Coefficient
 from .leading import LeadingPart, LinearForm
 from .numeric import compiled
 from .parameters import Parameter
+from .runtime._eigenmodes import Layout, modal_values
 
 __all__ = ["Component", "Modes", "Part"]
 
@@ -78,7 +78,7 @@ class Component:
 
     @property
     def entries(self) -> tuple[sp.Expr, ...]:
-        """What its numbers are computed from; see `eigenmodes.modal_values`."""
+        """What its numbers are computed from; see `runtime._eigenmodes.modal_values`."""
         flat = [entry for matrix in self.matrices for entry in matrix]
         return (*flat, *(c for coefficients, _ in self.factors for c in coefficients))
 

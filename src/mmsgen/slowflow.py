@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import sympy as sp
 
+from .amplitude_flow import AmplitudeFlow, amplitude_flow
 from .errors import ExpansionError, MmsgenError
 from .expressions import rational
 from .linear_flow import LinearFlow, linear_flow
@@ -169,6 +170,17 @@ class SlowFlow:
         flow = self.cartesian
         rows = [[rate.diff(x) for x in flow] for rate in flow.values()]
         return sp.ImmutableDenseMatrix(rows)
+
+    @cached_property
+    def table(self) -> AmplitudeFlow:
+        """The autonomous slow flow as a table of terms, for functions that take numbers.
+
+        Raises
+        ------
+        ExpansionError
+            If no frame makes it autonomous.
+        """
+        return amplitude_flow(self)
 
     # -- linear slow flows ---------------------------------------------------------------
 

@@ -11,8 +11,8 @@ from codegen_systems import CASES, emitted
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from mmsgen.codegen import _runtime
-from mmsgen.codegen._edges import zone
+from mmsgen.runtime import _runtime
+from mmsgen.runtime._edges import zone
 
 VALUES = {"sigma": 0.1, "r_m": 0.03, "r_b": 0.2, "omega_x": 3.0, "omega_phi": 2.0}
 OTHERS = {k: v for k, v in VALUES.items() if k != "sigma"}

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from mmsgen.codegen._edges import zone
+from mmsgen.runtime._edges import zone
 from mmsgen.zones import unstable_zone
 
 pytestmark = pytest.mark.filterwarnings("ignore::RuntimeWarning")  # callers switch these off

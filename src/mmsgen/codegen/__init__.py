@@ -2,8 +2,8 @@
 
 `render` makes the text of the files, `generate` writes them. One file for each idea: what is
 emitted (`growth`, `boundaries`, `speeds`, `matrices`, `modulation`), as records (`kernels`); the
-target language (`numpy_target`); the files (`case_module`, `model_module`, `reference`);
-`_runtime` and `_edges`, which are emitted as they stand.
+target language (`numpy_target`); the files (`case_module`, `model_module`, `reference`). What all
+emitted modules share is in `mmsgen.runtime`.
 """
 
 from __future__ import annotations

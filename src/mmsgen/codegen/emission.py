@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path, PurePath
 
+from .. import runtime
 from ..errors import EmissionError
 from ..expansion import Expansion
 from ..files import write_atomically
 from .boundaries import boundary_function
 from .case_module import case_text
 from .growth import growth_function
-from .kernels import RUNTIME, SHARED, EmittedFunction
+from .kernels import SHARED, EmittedFunction
 from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
 from .modal import modes_function
@@ -94,7 +95,7 @@ def render(
     origin = _origin(derivation)
     files = {
         f"{package}/__init__.py": PACKAGE_TEXT,
-        **{f"{package}/{name}.py": _shared_text(name) for name in sorted(set(RUNTIME.values()))},
+        **{f"{package}/{name}.py": _shared_text(name) for name in SHARED},
     }
     solved = [(setting, emitted_functions(setting)) for setting in settings]
     files[f"{package}/{model}/__init__.py"] = model_text(
@@ -109,7 +110,7 @@ def render(
 
 def _shared_text(name: str) -> str:
     """The text of a module that emitted modules share."""
-    return (Path(__file__).parent / SHARED.get(name, f"{name}.py")).read_text("utf-8")
+    return (Path(runtime.__file__).parent / f"{name}.py").read_text("utf-8")
 
 
 def _settings(cases: Cases) -> list[Setting]:

@@ -36,9 +36,8 @@ RUNTIME = {
 }
 
 
-#: modules of the emitted package that the engine uses as well, and where they stand
-SHARED = {"_eigenmodes": "../eigenmodes.py"}
-
+#: modules of `mmsgen.runtime` that every emitted package holds
+SHARED = ("_edges", "_eigenmodes", "_runtime")
 
 #: where a point holds the amplitudes: no parameter can have this name
 AMPLITUDES = "(amplitudes)"

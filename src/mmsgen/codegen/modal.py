@@ -7,9 +7,9 @@ from typing import Any
 
 import mpmath
 
-from ..eigenmodes import Layout
 from ..ir import compute_ir, fresh
 from ..modes import Component
+from ..runtime._eigenmodes import Layout
 from .exact import exact
 from .kernels import EmittedFunction, Kernel, Reference
 from .numpy_target import LINE_LENGTH, wrapped
