@@ -179,7 +179,8 @@ def spectrum(
 def _moved(flow: Flow, amplitudes: Any) -> NDArray[np.int64]:
     """How many independent symmetries move each point: the rank of k over amplitudes not zero."""
     b = np.asarray(amplitudes)
-    active = np.ravel(np.abs(b) > 0.0).reshape(-1, flow.n)  # false for NaN
-    patterns, index = np.unique(active, axis=0, return_inverse=True)
+    active: NDArray[np.bool_] = np.zeros(b.shape, dtype=bool)
+    np.greater(np.abs(b), 0.0, out=active)  # false for NaN
+    patterns, index = np.unique(active.reshape(-1, flow.n), axis=0, return_inverse=True)
     ranks = [np.linalg.matrix_rank(np.array(flow.symmetries) * p) for p in patterns]
     return np.array(ranks, dtype=np.int64)[index.ravel()].reshape(b.shape[:-1])
