@@ -163,7 +163,7 @@ def spectrum(
         and everywhere where an argument is not finite.
     """
     matrices = jacobian(flow, coefficients, amplitudes, drift)
-    finite = np.isfinite(matrices).all(axis=(-2, -1))
+    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
     values = np.linalg.eigvals(np.where(finite[..., None, None], matrices, 0.0)).astype(complex)
     values = np.where(finite[..., None], values, complex(np.nan, np.nan))
     if flow.symmetries:
