@@ -17,29 +17,23 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 import sympy as sp
 
 from .amplitude_flow import AmplitudeFlow, amplitude_flow
-from .errors import ExpansionError, MmsgenError
+from .errors import ExpansionError
 from .expressions import rational
-from .linear_flow import LinearFlow, linear_flow
-from .numeric import compiled
+from .linear_answers import LinearAnswers
 from .series import Series
 from .symbols import imaginary_part, modulus, phase, real_part
 
 if TYPE_CHECKING:
-    from .boundary import Stability
     from .expansion import Expansion
 
 __all__ = ["SlowFlow", "slow_flow"]
 
-_ROUNDING = 1e-9
-"""How far a detuning may be from what follows from the frequencies, over their sum."""
-
 
 @dataclass(frozen=True)
-class SlowFlow:
+class SlowFlow(LinearAnswers):
     """The slow flow of a case.
 
     Attributes
@@ -181,168 +175,6 @@ class SlowFlow:
             If no frame makes it autonomous.
         """
         return amplitude_flow(self)
-
-    # -- linear slow flows ---------------------------------------------------------------
-
-    @property
-    def is_linear(self) -> bool:
-        """True where every term holds exactly one amplitude."""
-        ring = self.case.weak.ring
-        degrees = (sum(ring.packing.exponents(key)[: 2 * ring.n]) for f in self.rates for key in f)
-        return all(d == 1 for d in degrees)
-
-    @cached_property
-    def linear(self) -> LinearFlow:
-        """The matrix form of a linear slow flow, in its independent blocks.
-
-        Raises
-        ------
-        ExpansionError
-            If the slow flow is nonlinear, forced, or not autonomous in any frame.
-        """
-        if not self.is_linear:
-            raise ExpansionError(
-                "this slow flow is nonlinear or forced, so it has no matrix: use .cartesian and "
-                ".jacobian"
-            )
-        self.frame_rate(0)
-        return linear_flow(self)
-
-    @property
-    def matrix(self) -> sp.ImmutableDenseMatrix:
-        """S with dB/dt = S B, over `variables`, in the autonomous frame; block-diagonal."""
-        return self.linear.matrix
-
-    @property
-    def variables(self) -> tuple[sp.Expr, ...]:
-        """The amplitudes, conjugated where the blocks need it, in the order of `matrix`."""
-        return self.linear.variables
-
-    def characteristic_polynomial(self, gamma: sp.Symbol) -> sp.Expr:
-        """P(Γ) = det(Γ − S) as the product of its factors over the rationals.
-
-        Parameters
-        ----------
-        gamma : sympy.Symbol
-            Γ; amplitudes grow like e^{Γt}.
-        """
-        return self.linear.characteristic_polynomial(gamma)
-
-    @cached_property
-    def stability(self) -> Stability:
-        """Whether the case can be unstable, why, and where."""
-        return self.linear.stability
-
-    def boundary(self) -> tuple[sp.Expr, ...]:
-        """The edges of the unstable interval of the detuning as a formula, lower one first.
-
-        Re-expanded in ε and cut after ε^N, N being the order of the case, so that each order has
-        one form. It differs from `boundaries`, which takes the slow flow as it stands, by
-        O(ε^{N+1}): that is what either of them differs from the truth by.
-
-        Empty where the case has no unstable interval. Roots of negative numbers come out complex:
-        at those values there is none.
-
-        Raises
-        ------
-        ExpansionError
-            If there is no closed form.
-        """
-        return self.stability.boundary()
-
-    def growth_rate(self, values: Mapping[Any, Any]) -> Any:
-        """Largest real part of Γ, in 1/s, for numbers or arrays that broadcast.
-
-        An eigenvalue of the slow flow as it stands, all orders together; its error is O(ε^{N+1}).
-
-        Parameters
-        ----------
-        values : mapping
-            Symbol or name → value, for every parameter of the slow flow. A detuning follows from
-            the frequencies of its relation where it is not given itself.
-
-        Raises
-        ------
-        MmsgenError
-            If a value is unknown, missing or out of the domain of its symbol, or a detuning
-            contradicts the frequencies.
-        """
-        return self.linear.growth_rate(self._with_detunings(values))
-
-    def _with_detunings(self, values: Mapping[Any, Any]) -> dict[str, Any]:
-        """Values with σ = lhs − rhs of its relation where that can be told."""
-        table = self.case.numbers(values)
-        given = {str(getattr(k, "name", k)) for k in values}
-        for r in self.case.relations:
-            symbols = tuple(sorted((r.lhs - r.rhs).free_symbols, key=str))
-            names = [str(s.name) for s in symbols]
-            if not all(n in table for n in names):
-                continue
-            (gap,) = compiled(symbols, (r.lhs - r.rhs,))(*(table[n] for n in names))
-            name = str(r.detuning.name)
-            if name in given and given.issuperset(names):
-                size = sum(np.abs(table[n]) for n in names)
-                if np.any(np.abs(table[name] - gap) > _ROUNDING * size):
-                    raise MmsgenError(
-                        f"{name} contradicts {', '.join(names)}: {name} = {r.lhs} - ({r.rhs}); "
-                        "give the one or the other"
-                    )
-            table.setdefault(name, gap)
-        return table
-
-    def boundaries(self, values: Mapping[Any, Any]) -> Any:
-        """Both edges of the unstable interval in the first detuning; NaN where there is none.
-
-        Between them `growth_rate` is positive: they are the roots of a polynomial criterion of the
-        slow flow as it stands, not re-expanded in ε, and differ from the formula of `boundary` by
-        O(ε^{N+1}). The emitted `boundaries` and `critical_speeds` give the same. Where there are
-        several intervals, `zones` lists them; this is the one nearest to the resonance, σ = 0.
-        Where the criterion is of a higher degree than two in σ, none counts that begins farther
-        away than half of the frequencies that resonate: out there a polynomial that is cut after
-        a few powers means nothing.
-
-        Parameters
-        ----------
-        values : mapping
-            Symbol or name → value, for every parameter of the slow flow but the first detuning,
-            which is ignored. Further detunings may follow from their frequencies.
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (..., 2), lower edge first, in the unit of the detuning; infinite where the
-            interval has no end.
-
-        Raises
-        ------
-        ExpansionError
-            If there is no criterion.
-        MmsgenError
-            As for `growth_rate`.
-        """
-        return self.stability.boundaries(self._without_first(values))
-
-    def zones(self, values: Mapping[Any, Any]) -> Any:
-        """All unstable intervals of the first detuning at one point, in ascending order.
-
-        Parameters
-        ----------
-        values : mapping
-            As for `boundaries`, numbers alone.
-
-        Returns
-        -------
-        numpy.ndarray
-            Shape (count, 2).
-        """
-        return self.stability.zones(self._without_first(values))
-
-    def _without_first(self, values: Mapping[Any, Any]) -> dict[str, Any]:
-        """Values with the detunings after the first one, which is what is looked for."""
-        first = {str(r.detuning.name) for r in self.case.relations[:1]}
-        others = {k: v for k, v in values.items() if str(getattr(k, "name", k)) not in first}
-        table = self._with_detunings(others)
-        return {name: v for name, v in table.items() if name not in first}
 
 
 def _frame(case: Expansion, rates: tuple[Series, ...]) -> tuple[Any, ...] | None:
