@@ -356,3 +356,10 @@ def test_epsilon_marks_orders_only() -> None:
     assert not any(e.has(epsilon) for flow in case.solvability.values() for e in flow.values())
     assert set(case.slow_flow.complex) == {A}
     assert same(case.slow_flow.complex[A], case.solvability[1][A] + case.solvability[2][A])
+
+
+def test_cases_name_themselves_briefly() -> None:
+    case = mathieu().expand(1, {Omega: 2 * mathieu().frequencies[0]})
+    assert repr(case) == "Expansion(Omega = 2*omega + sigma; order 1; x)"
+    assert repr(case.slow_flow) == f"SlowFlow({case!r})"
+    assert "no resonance" in repr(mathieu().expand(2))

@@ -21,7 +21,7 @@ from .relations import Relation
 from .residual import residual_series
 from .slowflow import SlowFlow, slow_flow
 from .solver import Solver
-from .symbols import amplitude, epsilon, time_scale
+from .symbols import amplitude, coordinate_name, epsilon, time_scale
 from .weak import WeakSystem
 
 __all__ = ["Expansion", "expand"]
@@ -41,6 +41,11 @@ class Expansion:
 
     weak: WeakSystem
     solver: Solver
+
+    def __repr__(self) -> str:
+        relations = ", ".join(f"{r.lhs} = {r.rhs} + {r.detuning}" for r in self.relations)
+        names = ", ".join(coordinate_name(q) for q in self.coordinates)
+        return f"Expansion({relations or 'no resonance'}; order {self.order}; {names})"
 
     @property
     def order(self) -> int:

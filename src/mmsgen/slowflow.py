@@ -50,6 +50,9 @@ class SlowFlow(LinearAnswers):
     rates: tuple[Series, ...]
     frame: tuple[Mapping[sp.Symbol, Fraction], ...] | None
 
+    def __repr__(self) -> str:
+        return f"SlowFlow({self.case!r})"
+
     def __post_init__(self) -> None:
         declared = {p.symbol for p in self.case.parameters} | set(self.case.amplitudes)
         declared.add(self.case.weak.scaled.eom.time)
