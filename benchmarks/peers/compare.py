@@ -10,6 +10,7 @@ over the initial displacement.
 from __future__ import annotations
 
 import json
+from random import Random
 from typing import Any
 
 import autonomous
@@ -79,9 +80,7 @@ class Rotated:
         self.beta = [sp.Symbol(f"beta_{j}", real=True) for j in range(n)]
         self.z = [sp.Symbol(f"z_{j}", positive=True) for j in range(n)]
         self.ratio = [sp.Rational(r) / system.ratio for r in system.ratios]
-        self.phasors = [
-            turn ** (PARTS * r) / z for r, z in zip(self.ratio, self.z, strict=True)
-        ]
+        self.phasors = [turn ** (PARTS * r) / z for r, z in zip(self.ratio, self.z, strict=True)]
 
     @property
     def phases(self) -> dict[sp.Symbol, sp.Symbol]:
@@ -90,9 +89,7 @@ class Rotated:
     def rename(self, expression: sp.Expr) -> sp.Expr:
         """Our detunings by their names in the system."""
         relations = self.case.relations
-        names = {
-            r.detuning: sigma if r.lhs == Omega else self.detuning(r.lhs) for r in relations
-        }
+        names = {r.detuning: sigma if r.lhs == Omega else self.detuning(r.lhs) for r in relations}
         return expression.subs(names, simultaneous=True)
 
     def detuning(self, natural: sp.Symbol) -> sp.Expr:
@@ -142,24 +139,51 @@ def oscilate_gaps(name: str, report: dict[str, Any]) -> list[float]:
         if system.complex_form:
             gap = complex_form_gap(rotated, there, report["fundamentals"][j])
         else:
-            gap = there - rotated.ours(j, forward, back)
-        gaps.append(lowest_order(in_orders(gap, system)))
+            gap = in_orders(there - rotated.ours(j, forward, back), system)
+        gaps.append(lowest_order(gap))
     return gaps
 
 
 def complex_form_gap(rotated: Rotated, there: sp.Expr, fundamental: str) -> sp.Expr:
-    """d/dt of the fundamental h(A, Ā) of x by the peer's rates, minus our rate at h(A, Ā)."""
+    """d/dt of the fundamental h(A, Ā) of x by the peer's rates, minus our rate at h(A, Ā).
+
+    Through the order of the example, at random rational values of all symbols but ε: a difference
+    that is not zero is so almost everywhere. e^{iβ} and e^{iσt/6} count as free symbols, whose
+    conjugates are their inverses.
+    """
+    system, order = rotated.system, rotated.system.order
     forward, bar = sp.Symbol("A_0"), sp.Symbol("Abar_0")
     h = sp.expand(without_exponentials(read(fundamental, forward, bar, *rotated.symbols, t), {}))
     swap = {forward: bar, bar: forward, sp.I: -sp.I, turn: 1 / turn}
     h_bar = h.subs(swap, simultaneous=True)
+    conjugate = {rotated.z[0]: 1 / rotated.z[0], turn: 1 / turn, sp.I: -sp.I}
+    there_bar = there.subs(conjugate, simultaneous=True)
     (a,), (b,) = rotated.polar()
-    there_bar = there.subs({rotated.z[0]: 1 / rotated.z[0], turn: 1 / turn, sp.I: -sp.I})
-    moved = h.diff(forward) * there + h.diff(bar) * there_bar
-    moved += h.diff(turn) * turn * sp.I * sigma / PARTS
-    values = {forward: a, bar: b}
-    inner = rotated.ours(0, [h.subs(values)], [h_bar.subs(values)])
-    return sp.expand(moved.subs(values)) - sp.expand(inner)
+    random = Random(1)
+    free = [*sorted(rotated.symbols, key=str), *rotated.a, *rotated.z, turn]
+    numbers = {s: sp.Rational(random.randint(1, 99), random.randint(1, 99)) for s in free}
+
+    def at_numbers(expression: sp.Expr) -> sp.Poly:
+        inner = in_orders(expression, system).subs(numbers)
+        return sp.Poly(inner, e, domain="QQ_I").rem(sp.Poly(e ** (order + 1), e))
+
+    def at_amplitudes(expression: sp.Expr, values: tuple[sp.Poly, sp.Poly]) -> sp.Poly:
+        inner = sp.expand(in_orders(expression, system).subs(numbers))
+        total = sp.Poly(0, e, domain="QQ_I")
+        for (power, barred, small), c in sp.Poly(inner, forward, bar, e).terms():
+            part = sp.Poly(c * e**small, e, domain="QQ_I")
+            for value in [values[0]] * power + [values[1]] * barred:
+                part = (part * value).rem(sp.Poly(e ** (order + 1), e))
+            total += part
+        return total.rem(sp.Poly(e ** (order + 1), e))
+
+    own = at_numbers(a), at_numbers(b)
+    moved = at_amplitudes(h.diff(forward), own) * at_numbers(there)
+    moved += at_amplitudes(h.diff(bar), own) * at_numbers(there_bar)
+    moved += at_amplitudes(h.diff(turn) * turn * sp.I * sigma / PARTS, own)
+    image = at_amplitudes(h, own), at_amplitudes(h_bar, own)
+    gap = moved - at_amplitudes(rotated.ours(0, [forward], [bar]), image)
+    return gap.rem(sp.Poly(e ** (order + 1), e)).as_expr()
 
 
 def asymptotics_gaps(name: str, report: dict[str, Any]) -> list[float]:
