@@ -126,7 +126,8 @@ def test_linearising_drops_what_is_of_higher_order() -> None:
         (ddq + k * q**2 * sp.log(q), ["singular at rest"]),
         (ddq + k * sp.sqrt(q), ["singular at rest"]),
         (ddq + k * sp.Abs(q), ["Abs(q(t))", "no Taylor expansion"]),
-        (ddq + k * dq * sp.Abs(dq), ["no Taylor expansion"]),
+        (ddq + k * sp.sign(dq), ["no Taylor expansion"]),
+        (ddq + k * q * sp.sign(q), ["no Taylor expansion"]),
     ],
 )
 def test_no_linear_part(equation: sp.Expr, phrases: list[str]) -> None:
@@ -134,6 +135,13 @@ def test_no_linear_part(equation: sp.Expr, phrases: list[str]) -> None:
         record(equation).linearise()
     for phrase in phrases:
         assert phrase in str(caught.value)
+
+
+def test_what_vanishes_twice_has_no_linear_part() -> None:
+    """x|x| has the slope 2|x|, and sgn is bounded."""
+    forces = k * dq * sp.Abs(dq) + k * q**2 * sp.sign(dq)
+    linear = record(ddq + k * q + forces).linearise()
+    assert linear.equations == (ddq + k * q,)
 
 
 def test_singular_mass_matrix() -> None:

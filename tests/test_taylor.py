@@ -160,8 +160,9 @@ plain = sp.Symbol("p", real=True)
 
 REFUSALS = [
     (sp.Float("0.5") * x, r"0\.5\d* is a float.*Rational"),
-    (sp.Abs(x), r"Abs\(x\(t\)\)"),
-    (sp.sign(x), r"sign\(x\(t\)\)"),
+    (sp.Abs(x * y), r"Abs\(x\(t\)\*y\(t\)\) is not smooth"),
+    (sp.Abs(x + y), r"Abs\(x\(t\) \+ y\(t\)\) is not smooth"),
+    (sp.sign(x.diff(t, 2)), "is not smooth"),
     (sp.Max(x, 0), r"Max\(0, x\(t\)\)"),
     (sp.Piecewise((x, x > 0), (0, True)), "Piecewise"),
     (1 / x, r"1/x\(t\) is singular"),

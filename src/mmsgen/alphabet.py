@@ -24,6 +24,8 @@ CONSTANTS = (sp.pi, sp.E, sp.EulerGamma, sp.GoldenRatio, sp.Catalan)
 CONSTANT_NAMES = {f"<{c}>": c for c in CONSTANTS}
 """Generator name of each constant: no identifier, so that no parameter can have it."""
 
+KINKED = (sp.Abs, sp.sign)
+
 INVERSE = (sp.asin, sp.acos, sp.atan)
 """Their values are multiples of π."""
 
@@ -67,6 +69,8 @@ class Alphabet:
         Parameter name → q where the generator stands for its q-th root.
     phasors : tuple of Phasor
         Moving ones first.
+    kinked : bool
+        True where |·| or sgn of coordinates or velocities occurs.
     """
 
     time: sp.Symbol
@@ -74,6 +78,7 @@ class Alphabet:
     field: ParameterField
     roots: dict[str, int]
     phasors: tuple[Phasor, ...]
+    kinked: bool = False
 
     @property
     def positive(self) -> frozenset[str]:
@@ -87,6 +92,7 @@ class _Findings:
     order: int = 4
     roots: dict[str, int] = field(default_factory=dict)
     constants: set[sp.Expr] = field(default_factory=set)
+    kinked: bool = False
 
     def step(self, moving: bool, base: sp.Expr, coefficient: Fraction) -> None:
         old = self.steps.get((moving, base), Fraction(0))
@@ -197,9 +203,8 @@ def survey(
         )
         if step
     ]
-    return Alphabet(
-        time, tuple(symbols), ParameterField(names, found.order), found.roots, tuple(phasors)
-    )
+    numbers = ParameterField(names, found.order)
+    return Alphabet(time, tuple(symbols), numbers, found.roots, tuple(phasors), found.kinked)
 
 
 def _rank(base: sp.Expr, symbols: Sequence[sp.Symbol]) -> tuple[int, str]:
@@ -231,3 +236,6 @@ def _inspect(
         found.constants.add(node)
     elif isinstance(node, INVERSE):
         found.constants.add(sp.pi)
+    elif isinstance(node, KINKED) and node.atoms(sp.Function, sp.Derivative) & moving_parts:
+        found.constants.add(sp.pi)  # their averages hold it
+        found.kinked = True

@@ -75,8 +75,8 @@ def amplitude_flow(slow: SlowFlow) -> AmplitudeFlow:
             own = tuple(int(k == j and i == 0) for k in range(n) for i in range(3))
             table.setdefault((j, own), []).append(-sp.I * turn)
         for key in sorted(slow.rates[j]):
-            e = ring.packing.exponents(key)
-            exponents = tuple(x for k in range(n) for x in (e[2 * k], e[2 * k + 1], 0))
+            e, moduli = ring.packing.exponents(key), ring.moduli(key)
+            exponents = tuple(x for k in range(n) for x in (e[2 * k], e[2 * k + 1], moduli[k]))
             turned = sp.exp(sp.I * case.constant_phase(key))
             value = case.symbols(slow.rates[j][key]) * turned
             table.setdefault((j, exponents), []).append(value)

@@ -16,6 +16,7 @@ import sympy as sp
 
 from .errors import ExpansionError, ResonanceError
 from .expressions import FieldSymbols, rational, series_expression
+from .nonsmooth import check_finite
 from .parameters import Parameter
 from .relations import Relation
 from .residual import residual_series
@@ -90,9 +91,8 @@ class Expansion:
 
     def detuning_phase(self, key: int) -> sp.Expr:
         """The slow phase of the phasors in a monomial, over t; constant phases included over 1."""
-        exponents = self.weak.ring.packing.exponents(key)[2 * self.weak.ring.n :]
         moving = sp.Integer(0)
-        for m, k in enumerate(exponents):
+        for m, k in enumerate(self.weak.ring.phasors(key)):
             if k and m in self.weak.rates:
                 moving += k * self.symbols(self.weak.rates[m].times_i(-1))
         return moving
@@ -100,26 +100,31 @@ class Expansion:
     def phase_key(self, key: int) -> int:
         """The constant phases of a monomial as a monomial of their own."""
         ring, phasors = self.weak.ring, self.weak.scaled.alphabet.phasors
-        exponents = ring.packing.exponents(key)[2 * ring.n :]
-        return ring.z(0 if p.moving else k for p, k in zip(phasors, exponents, strict=True))
+        pairs = zip(phasors, ring.phasors(key), strict=True)
+        return ring.z(0 if p.moving else k for p, k in pairs)
 
     def constant_phase(self, key: int) -> sp.Expr:
         """The constant phases in a monomial."""
-        exponents = self.weak.ring.packing.exponents(key)[2 * self.weak.ring.n :]
-        pairs = zip(self.weak.scaled.alphabet.phasors, exponents, strict=True)
+        ring, phasors = self.weak.ring, self.weak.scaled.alphabet.phasors
+        pairs = zip(phasors, ring.phasors(key), strict=True)
         return sp.Add(*(k * p.angle for p, k in pairs if k and not p.moving))
 
-    def slow_monomial(self, key: int) -> sp.Expr:
-        """A monomial without its fast phase: amplitudes and e^{iσt}."""
+    def amplitude_monomial(self, key: int) -> sp.Expr:
+        """The amplitudes of a monomial, with their conjugates and moduli."""
         exponents = self.weak.ring.packing.exponents(key)
         factors = [
             (sp.conjugate(a) if i else a) ** exponents[2 * j + i]
             for j, a in enumerate(self.amplitudes)
             for i in (0, 1)
         ]
+        sizes = zip(self.amplitudes, self.weak.ring.moduli(key), strict=True)
+        return sp.Mul(*factors, *(sp.Abs(a) ** t for a, t in sizes))
+
+    def slow_monomial(self, key: int) -> sp.Expr:
+        """A monomial without its fast phase: amplitudes and e^{iσt}."""
         time = self.weak.scaled.eom.time
         angle = self.detuning_phase(key) * time + self.constant_phase(key)
-        return sp.Mul(*factors) * sp.exp(sp.I * angle)
+        return self.amplitude_monomial(key) * sp.exp(sp.I * angle)
 
     def fast_monomial(self, key: int) -> sp.Expr:
         """A monomial with its fast phase e^{iνT0} at exact resonance."""
@@ -152,7 +157,15 @@ class Expansion:
         }
 
     def known_terms(self, p: int) -> dict[sp.Expr, sp.Expr]:
-        """What is known at order p, 1 ≤ p ≤ order: all of equation j but D0²q + ω²q + 2D0D_p q0."""
+        """What is known at order p, 1 ≤ p ≤ order: all of equation j but D0²q + ω²q + 2D0D_p q0.
+
+        Raises
+        ------
+        ExpansionError
+            At the order of a non-smooth force, which is an infinite sum of harmonics.
+        """
+        if p == self.order:
+            check_finite(self.weak, "what is known")
         equations = self.solver.equations[p - 1]
         return {
             q: series_expression(
@@ -178,7 +191,13 @@ class Expansion:
         -------
         dict
             {q_j: expression}; every one is exactly zero for a correct expansion.
+
+        Raises
+        ------
+        ExpansionError
+            If there is a non-smooth force, whose particular solution is an infinite sum.
         """
+        check_finite(self.weak, "the particular solution")
         solver = Solver(self.weak)
         solver.solve_order_zero()
         for p in range(1, self.order + 1):
@@ -268,7 +287,7 @@ def _free_difference(
     exponents = weak.ring.packing.exponents(key)
     total = [-c for c in vector(weak.free_frequency[j])]
     for i, e in enumerate(exponents):
-        if not e:
+        if not e or i >= 2 * n + weak.ring.m:  # a modulus does not turn
             continue
         form = weak.free_frequency[i // 2 if i < 2 * n else n + i - 2 * n]
         sign = -1 if i < 2 * n and i % 2 else 1

@@ -57,7 +57,8 @@ def hierarchy(scaled: ScaledSystem, order: int) -> dict[sp.Expr, tuple[str, list
             for s, series in by_order.items():
                 if s <= order:
                     coefficient = _real_form(weak, symbols, series)
-                    terms += _products(coefficient, factors, names, order - s)
+                    shown = _with_moduli(factors, len(names))
+                    terms += _products(coefficient, shown, names, order - s)
         if order == 0 and weak.forcing[j]:
             terms.append(sp.latex(-_real_form(weak, symbols, weak.forcing[j])))
         result[q] = left, terms
@@ -112,8 +113,30 @@ def _operators(derivative: int, order: int) -> Iterator[tuple[int, str]]:
             yield (1, f"D_{{{a}}}^2 ") if a == b else (2, f"D_{{{a}}} D_{{{b}}} ")
 
 
+_SIGN, _MODULUS = 3, 5
+"""Places of sgn q, sgn q' and |q|, |q'| among the derivatives in a product of variables."""
+
+
+def _with_moduli(factors: Sequence[int], n: int) -> tuple[int, ...]:
+    """A product of variables in which x sgn x is written |x|."""
+    result = list(factors)
+    for sign in factors:
+        place = sign - _SIGN * n
+        if place >= 0 and place in result:
+            result.remove(place)
+            result[result.index(sign)] = sign + (_MODULUS - _SIGN) * n
+    return tuple(result)
+
+
 def _motion(name: str, derivative: int, order: int) -> Iterator[tuple[int, str]]:
     """The ε^order part of a derivative of q, each term with its multiplicity."""
+    if derivative >= _SIGN:  # known at order zero alone
+        modulus, inner = divmod(derivative - _SIGN, 2)
+        text = ("", "D_{0} ")[inner] + indexed(name, 0)
+        if order == 0:
+            whole = rf"\left|{text}\right|"
+            yield 1, whole if modulus else rf"\operatorname{{sgn}}\left({text}\right)"
+        return
     for k in range(order + 1):
         for number, operator in _operators(derivative, order - k):
             yield number, f"{operator}{indexed(name, k)}"
@@ -221,7 +244,5 @@ def _real_form(weak: WeakSystem, symbols: FieldSymbols, series: Series) -> sp.Ex
 def _angle(weak: WeakSystem, symbols: FieldSymbols, key: int) -> sp.Expr:
     ring = weak.ring
     moving = symbols.polynomial(ring.form_polynomial(ring.frequency(key))) * time_scale(0)
-    exponents = ring.packing.exponents(key)[2 * ring.n :]
-    phasors = weak.scaled.alphabet.phasors
-    pairs = zip(phasors, exponents, strict=True)
+    pairs = zip(weak.scaled.alphabet.phasors, ring.phasors(key), strict=True)
     return moving + sp.Add(*(k * p.angle for p, k in pairs if k and not p.moving))

@@ -214,7 +214,7 @@ def _linear_place(taylor: Taylor, key: int, j: int) -> int | None:
             f"{where} has the time-dependent coefficient of {shown}: scale the parameter in front "
             "of it with an order of 1 or more"
         )
-    if sum(e for _, e in dynamic) > 1:
+    if sum(e for _, e in dynamic) > 1 or any(i >= 3 * n for i, _ in dynamic):
         raise ScalingError(
             f"{where} is nonlinear, {shown}: scale its parameter, or give the amplitude an order"
         )

@@ -54,8 +54,9 @@ class LinearAnswers:
     def is_linear(self) -> bool:
         """True where every term holds exactly one amplitude."""
         ring = self.case.weak.ring
-        degrees = (sum(ring.packing.exponents(key)[: 2 * ring.n]) for f in self.rates for key in f)
-        return all(d == 1 for d in degrees)
+        keys = [key for rates in self.rates for key in rates]
+        degrees = (sum(ring.packing.exponents(key)[: 2 * ring.n]) for key in keys)
+        return all(d == 1 for d in degrees) and not any(any(ring.moduli(key)) for key in keys)
 
     @cached_property
     def linear(self) -> LinearFlow:

@@ -98,6 +98,8 @@ def _slopes(
     present = [s for s in state.symbols if s in plain.free_symbols]
     if not present:
         return [(None, plain)]
+    if _vanishes_twice(plain, state):
+        return []
     if any(f.free_symbols & set(present) for f in plain.atoms(*_NOT_SMOOTH)):
         raise ModelError(
             f"the equation of {q} contains {basis}, which has no Taylor expansion about rest: "
@@ -114,6 +116,25 @@ def _slopes(
     if any(value.has(sp.nan, sp.zoo, sp.oo, -sp.oo) for _, value in result):
         raise _singular(basis, q)
     return [(place, value) for place, value in result if value != 0]
+
+
+def _vanishes_twice(plain: sp.Expr, state: _State) -> bool:
+    """Whether a product of powers, moduli and signs has no slope at rest, as |v| v has none.
+
+    Its degree is above 1, and what is not a power of a modulus or sign is bounded there.
+    """
+    degree = 0
+    for factor in sp.Mul.make_args(plain):
+        base, exponent = factor.as_base_exp()
+        inner = base.args[0] if isinstance(base, sp.Abs | sp.sign) else base
+        if inner not in state.symbols:
+            if factor.free_symbols & set(state.symbols):
+                return False
+            continue
+        if not (exponent.is_Integer and exponent.is_positive):
+            return False
+        degree += 0 if isinstance(base, sp.sign) else int(exponent)
+    return degree > 1
 
 
 def _finite(expr: sp.Expr, state: _State) -> bool:

@@ -200,9 +200,21 @@ def _plain_velocities(coordinates: Sequence[sp.Expr]) -> dict[sp.Expr, sp.Symbol
 def _velocity_gradient(expr: sp.Expr, coordinates: Sequence[sp.Expr]) -> list[sp.Expr]:
     """∂/∂q' for every coordinate."""
     plain = _plain_velocities(coordinates)
+    if expr.has(sp.Abs, sp.sign):  # SymPy needs to know that what they are taken of is real
+        plain = {velocity: sp.Symbol(s.name, real=True) for velocity, s in plain.items()}
     back = {symbol: velocity for velocity, symbol in plain.items()}
     there = expr.xreplace(plain)
-    return [there.diff(symbol).xreplace(back) for symbol in plain.values()]
+    return [_with_moduli(there.diff(symbol)).xreplace(back) for symbol in plain.values()]
+
+
+def _with_moduli(expr: sp.Expr) -> sp.Expr:
+    """Write x sgn x as |x|, as it comes from differentiating powers of |x|."""
+    for function in sorted(expr.atoms(sp.sign), key=sp.default_sort_key):
+        x = function.args[0]
+        terms = sp.Add.make_args(sp.expand(expr))
+        written = ((term, term.xreplace({function: sp.Abs(x) / x})) for term in terms)
+        expr = sp.Add(*(old if new.has(1 / x) else new for old, new in written))
+    return expr
 
 
 def _check_kinetic_energy(lagrangian: sp.Expr, coordinates: Sequence[sp.Expr]) -> None:

@@ -84,7 +84,9 @@ def reconstruction(case: Expansion, values: Mapping[str, float]) -> Reconstructi
     terms = []
     for part in parts:
         c = np.array([complex(next(numbers)) for _ in part])
-        e = np.array([ring.packing.exponents(key) for key in part], dtype=float)
+        # Up to order N − 1 there are no moduli: they come with the last order.
+        width = 2 * ring.n + ring.m
+        e = np.array([ring.packing.exponents(key)[:width] for key in part], dtype=float)
         terms.append((c, e))
     fast = [
         *(

@@ -21,6 +21,7 @@ import sympy as sp
 from .errors import MmsgenError
 from .expressions import FieldSymbols, rational
 from .field import Coefficient, ParameterField
+from .nonsmooth import check_enumerable
 from .numeric import named_values
 from .resonance_kind import kind_of
 from .series import Form
@@ -115,6 +116,7 @@ def enumerate_resonances(weak: WeakSystem) -> ResonanceTable:
     solver = Solver(weak)
     found: Relations = {}
     solver.solve_order_zero()
+    check_enumerable(solver)
     for j, forcing in enumerate(weak.forcing):
         for key, c in forcing.items():
             _record(solver, found, 0, j, key, c)

@@ -232,7 +232,7 @@ class ScaledSystem:
     ) -> dict[tuple[int, int], Coefficient]:
         """(equation, monomial) → what the named modes hold of it."""
         small = {name for name, order in self.generator_orders.items() if order}
-        units = frozenset(taylor.packing.unit[: taylor.dynamic])
+        units = frozenset(taylor.packing.unit[: 3 * len(taylor.coordinates)])
         return {
             (j, key): at_leading_order(c, small)
             for j, polynomial in enumerate(polynomials)

@@ -30,7 +30,8 @@ Form = tuple[Fraction, ...]
 class HarmonicRing:
     """Series in the amplitudes of n coordinates and m phasors.
 
-    The variables are a_1, ā_1, …, a_n, ā_n, z_1, …, z_m in this order.
+    The variables are a_1, ā_1, …, a_n, ā_n, z_1, …, z_m in this order, and then |a_1|, …, |a_n|
+    where non-smooth functions need them.
 
     Parameters
     ----------
@@ -42,6 +43,8 @@ class HarmonicRing:
         Frequency of each a_j.
     phasors : sequence of Form
         Frequency of each z_m; zero for a constant phase.
+    moduli : bool
+        Whether there are variables |a_j|, of frequency zero.
     """
 
     def __init__(
@@ -50,16 +53,19 @@ class HarmonicRing:
         basis: Sequence[str],
         amplitudes: Sequence[Form],
         phasors: Sequence[Form],
+        moduli: bool = False,
     ) -> None:
         self.field = field
         self.basis = tuple(basis)
         self.n, self.m = len(amplitudes), len(phasors)
-        self.packing = Packing(2 * self.n + self.m)
+        self._last = 2 * self.n + self.m
+        self.packing = Packing(self._last + moduli * self.n)
         self.amplitude_frequencies = tuple(amplitudes)
         forms: list[Form] = []
         for form in amplitudes:
             forms += [form, tuple(-c for c in form)]
-        self._forms = (*forms, *phasors)
+        still = (Fraction(0),) * (len(self.basis) + 1)
+        self._forms = (*forms, *phasors, *([still] * self.n if moduli else []))
         self._frequency: dict[int, Form] = {}
         self._conjugate: dict[int, int] = {}
         self._i_frequency: dict[int, Coefficient] = {}
@@ -77,6 +83,18 @@ class HarmonicRing:
     def z(self, exponents: Iterable[int]) -> int:
         """The monomial Π z_m^{k_m}."""
         return self.packing.pack({2 * self.n + m: k for m, k in enumerate(exponents)})
+
+    def modulus(self, j: int) -> int:
+        """The monomial |a_j|."""
+        return self.packing.unit[self._last + j]
+
+    def phasors(self, key: int) -> tuple[int, ...]:
+        """The exponents of z_1, …, z_m."""
+        return self.packing.exponents(key)[2 * self.n : self._last]
+
+    def moduli(self, key: int) -> tuple[int, ...]:
+        """The exponents of |a_1|, …, |a_n|."""
+        return self.packing.exponents(key)[self._last :] or (0,) * self.n
 
     def frequency(self, key: int) -> Form:
         """The frequency of a monomial as a linear form in the basis."""
@@ -96,12 +114,13 @@ class HarmonicRing:
         return self.field.linear(dict(zip(self.basis, symbols, strict=True)), constant)
 
     def conjugate_key(self, key: int) -> int:
-        """The complex conjugate of a monomial: a_j ↔ ā_j and z_m → 1/z_m."""
+        """The complex conjugate of a monomial: a_j ↔ ā_j, z_m → 1/z_m, and |a_j| stays."""
         result = self._conjugate.get(key)
         if result is None:
             e = self.packing.exponents(key)
-            swapped = [e[i ^ 1] for i in range(2 * self.n)] + [-k for k in e[2 * self.n :]]
-            result = self._conjugate[key] = self.packing.pack(swapped)
+            swapped = [e[i ^ 1] for i in range(2 * self.n)]
+            swapped += [-k for k in e[2 * self.n : self._last]]
+            result = self._conjugate[key] = self.packing.pack([*swapped, *e[self._last :]])
             self._conjugate[result] = key
         return result
 
@@ -157,12 +176,14 @@ class HarmonicRing:
     ) -> Iterable[tuple[int, Coefficient]]:
         """The terms of D f for the derivation with D a_j = images[j], D z_m = rates[m]·z_m.
 
-        ā_j goes to the conjugate of images[j]. The terms are uncollected.
+        ā_j goes to the conjugate of images[j]. The terms are uncollected. Moduli have no place
+        here: they come with the last order, which is not differentiated.
         """
         first = 2 * self.n
         conjugates: dict[int, Series] = {}
         for key, c in f.items():
             for i, e in self.packing.support(key):
+                assert i < self._last, "a modulus is not differentiated"
                 if i >= first:
                     if i - first in rates:
                         yield key, c.times(rates[i - first]).scale(e)

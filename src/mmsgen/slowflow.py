@@ -91,19 +91,14 @@ class SlowFlow(LinearAnswers):
     @cached_property
     def autonomous(self) -> dict[sp.Symbol, sp.Expr]:
         """{A_j: dB_j/dt} in the frame A_j = B_j e^{iλ_j t}, with A_j written for B_j."""
-        case, ring = self.case, self.case.weak.ring
+        case = self.case
         flow = {}
         for j, a in enumerate(case.amplitudes):
             terms = [-sp.I * self.frame_rate(j) * a]
             for key in sorted(self.rates[j]):
-                exponents = ring.packing.exponents(key)
-                powers = (
-                    (sp.conjugate(b) if i else b) ** exponents[2 * k + i]
-                    for k, b in enumerate(case.amplitudes)
-                    for i in (0, 1)
-                )
                 turned = sp.exp(sp.I * case.constant_phase(key))
-                terms.append(sp.Mul(case.symbols(self.rates[j][key]), *powers, turned))
+                powers = case.amplitude_monomial(key)
+                terms.append(sp.Mul(case.symbols(self.rates[j][key]), powers, turned))
             flow[a] = sp.Add(*terms)
         return flow
 
@@ -112,11 +107,11 @@ class SlowFlow(LinearAnswers):
         case, ring = self.case, self.case.weak.ring
         terms = []
         for key in sorted(self.rates[j]):
-            exponents = ring.packing.exponents(key)
+            exponents, moduli = ring.packing.exponents(key), ring.moduli(key)
             size, angle = sp.Integer(1), case.constant_phase(key) - phase(case.coordinates[j])
             for i, q in enumerate(case.coordinates):
                 r, s = exponents[2 * i], exponents[2 * i + 1]
-                size *= (modulus(q) / 2) ** (r + s)
+                size *= (modulus(q) / 2) ** (r + s + moduli[i])
                 angle += (r - s) * phase(q)
             re, im = case.symbols.real_imaginary(self.rates[j][key])
             terms.append((re, im, size, angle))
@@ -143,13 +138,15 @@ class SlowFlow(LinearAnswers):
             u, v = real_part(q), imaginary_part(q)
             real, imaginary = [self.frame_rate(j) * v], [-self.frame_rate(j) * u]
             for key in sorted(self.rates[j]):
-                exponents = ring.packing.exponents(key)
-                product = sp.Integer(2)
+                exponents, moduli = ring.packing.exponents(key), ring.moduli(key)
+                product, size = sp.Integer(2), sp.Integer(1)
                 for i, p in enumerate(case.coordinates):
                     half = (real_part(p) + sp.I * imaginary_part(p)) / 2
                     product *= half ** exponents[2 * i]
                     product *= sp.conjugate(half) ** exponents[2 * i + 1]
-                x, y = sp.expand(product).as_real_imag()
+                    square = real_part(p) ** 2 + imaginary_part(p) ** 2
+                    size *= (sp.sqrt(square) / 2) ** moduli[i]
+                x, y = (size * part for part in sp.expand(product).as_real_imag())
                 angle = case.constant_phase(key)
                 x, y = (
                     x * sp.cos(angle) - y * sp.sin(angle),

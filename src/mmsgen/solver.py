@@ -25,6 +25,7 @@ from fractions import Fraction
 from .errors import ExpansionError
 from .field import Coefficient
 from .modal import ModalState
+from .nonsmooth import averaged
 from .series import Form, HarmonicRing, Series
 from .weak import Factors, WeakSystem
 
@@ -112,6 +113,9 @@ class Solver:
 
     def _force_terms(self, j: int, order: int) -> Iterable[tuple[int, Coefficient]]:
         for factors, by_order in self.weak.forces[j].items():
+            if factors and factors[-1] >= 3 * self.n:
+                yield from averaged(self, j, factors, by_order.get(order, {}))
+                continue
             for s, coefficient in by_order.items():
                 if s <= order:
                     yield from self.ring.product_terms(

@@ -3,7 +3,8 @@
 `Taylor` walks a SymPy expression once and evaluates it in the sparse algebra over the variables
 q_1 … q_n, q_1' … q_n', q_1'' … q_n'', z_1 … z_m. Analytic functions are expanded about q = 0 to
 the weight asked for; where nothing may be truncated, a function of q that is not a polynomial is
-refused.
+refused. Where |·| or sgn of coordinates or velocities occurs, the signs of q_1 … q_n and of
+q_1' … q_n' are variables too, before z_1: |q| is q·sgn q, and the square of a sign is 1.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ from math import factorial
 
 import sympy as sp
 
-from .alphabet import PERIODIC, Alphabet, fraction, phase_terms
+from .alphabet import KINKED, PERIODIC, Alphabet, fraction, phase_terms
 from .cyclotomic import gauss_sum
 from .errors import ScalingError
 from .field import Coefficient, sign
@@ -55,8 +56,8 @@ class Taylor:
 
     def __post_init__(self) -> None:
         n = len(self.coordinates)
-        self.packing = Packing(3 * n + len(self.alphabet.phasors))
-        self.dynamic = 3 * n
+        self.dynamic = (5 if self.alphabet.kinked else 3) * n
+        self.packing = Packing(self.dynamic + len(self.alphabet.phasors))
         time = self.alphabet.time
         self._variables: dict[sp.Expr, int] = {}
         for order in range(3):
@@ -81,18 +82,22 @@ class Taylor:
         if w is None:
             n = len(self.coordinates)
             pairs = self.packing.support(key)
-            w = sum((e * self.weights[i % n] for i, e in pairs if i < self.dynamic), Fraction(0))
+            w = sum((e * self.weights[i % n] for i, e in pairs if i < 3 * n), Fraction(0))
             self._weight[key] = w
         return w
 
     def degree(self, key: int) -> int:
         """Degree of a monomial in q, q' and q''."""
-        return sum(e for i, e in self.packing.support(key) if i < self.dynamic)
+        return sum(e for i, e in self.packing.support(key) if i < 3 * len(self.coordinates))
 
     def show(self, key: int) -> str:
         """A monomial in the user's symbols, for messages."""
         e = self.packing.exponents(key)
+        n = len(self.coordinates)
         parts = [q ** e[i] for q, i in self._variables.items()]
+        for q, i in self._variables.items() if self.alphabet.kinked else ():
+            if i < 2 * n and e[3 * n + i]:
+                parts[i] = sp.Abs(q) * q ** (e[i] - 1) if e[i] else sp.sign(q)
         phase = sum(
             p.angle * e[self.dynamic + m] * (self.alphabet.time if p.moving else 1)
             for m, p in enumerate(self.alphabet.phasors)
@@ -114,9 +119,18 @@ class Taylor:
         for k, c in f.items():
             for m, d in g.items():
                 if self.weight(k) + self.weight(m) <= self.limit:
-                    bins.setdefault(k + m, []).append(c.times(d))
+                    bins.setdefault(self._reduced(k + m), []).append(c.times(d))
         sums = ((k, self.alphabet.field.sum(cs)) for k, cs in bins.items())
         return {k: c for k, c in sums if c.num}
+
+    def _reduced(self, key: int) -> int:
+        """A monomial with the squares of signs written as 1."""
+        if self.alphabet.kinked:
+            e = self.packing.exponents(key)
+            for i in range(3 * len(self.coordinates), self.dynamic):
+                if e[i] > 1:
+                    key -= self.packing.unit[i] * (e[i] - e[i] % 2)
+        return key
 
     def _scaled(self, f: Polynomial, c: Coefficient) -> Polynomial:
         return {k: d * c for k, d in f.items()}
@@ -187,6 +201,8 @@ class Taylor:
             return self._periodic(node)
         if isinstance(node, ANALYTIC):
             return self._analytic(node)
+        if isinstance(node, KINKED):
+            return self._kinked(node)
         raise ScalingError(self._refusal(node))
 
     def _refusal(self, node: sp.Expr) -> str:
@@ -317,6 +333,25 @@ class Taylor:
         return self._sum(
             [self._scaled(e, half.times_i(-1)), self._scaled(conjugate, half.times_i(1))]
         )
+
+    def _kinked(self, node: sp.Expr) -> Polynomial:
+        """|c x| = |c| x sgn x and sgn(c x) = sgn c · sgn x; x a coordinate or velocity."""
+        argument, n = self(node.args[0]), len(self.coordinates)
+        refusal = ScalingError(
+            f"{node} is not smooth: known here are the modulus and the sign of one coordinate, or "
+            "of one velocity, times a factor of known sign"
+        )
+        if len(argument) != 1:
+            raise refusal
+        ((key, c),) = argument.items()
+        direction, support = sign(c, self.alphabet.positive), self.packing.support(key)
+        if not direction or len(support) > 1 or any(i >= 2 * n or e > 1 for i, e in support):
+            raise refusal
+        turned = key + sum(self.packing.unit[3 * n + i] for i, _ in support)
+        size = {turned: c.scale(direction)}
+        if isinstance(node, sp.Abs):
+            return size
+        return {turned - key: self.alphabet.field.one.scale(direction)}
 
     def _analytic(self, node: sp.Expr) -> Polynomial:
         """f(c + u) from the derivatives of f at the constant c."""

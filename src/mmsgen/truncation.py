@@ -16,7 +16,7 @@ from fractions import Fraction
 
 import sympy as sp
 
-from .alphabet import PERIODIC, fraction
+from .alphabet import KINKED, PERIODIC, fraction
 from .errors import ScalingError
 from .field import Coefficient
 from .taylor import ANALYTIC, Taylor
@@ -107,6 +107,8 @@ class _Bound:
             return Fraction(min((valuation(c, self.orders) for c in constants), default=0))
         if node.is_Pow:
             return self._power(node)
+        if isinstance(node, KINKED):
+            return self(node.args[0]) if isinstance(node, sp.Abs) else Fraction(0)
         if not isinstance(node, (*PERIODIC, *ANALYTIC)):
             return Fraction(0)  # refused by `Taylor`, which names it
         for argument in node.args:

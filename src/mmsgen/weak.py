@@ -16,8 +16,10 @@ from .errors import ResonanceError
 from .field import Coefficient
 from .grading import Detuned, Graded, Grading
 from .leading import GradedTerm, LinearForm, in_field, leading_inertias
+from .nonsmooth import not_smooth
 from .relations import Relation
 from .series import Form, HarmonicRing, Series
+from .symbols import coordinate_name
 from .taylor import Taylor
 
 if TYPE_CHECKING:
@@ -26,7 +28,10 @@ if TYPE_CHECKING:
 __all__ = ["Factors", "WeakSystem", "weak_system"]
 
 Factors = tuple[int, ...]
-"""A product of variables, each d·n + j for the d-th derivative of coordinate j, ascending."""
+"""A product of variables, each d·n + j for the d-th derivative of coordinate j, ascending.
+
+With d = 3 and 4 for the signs of coordinate and velocity j.
+"""
 
 
 @dataclass(frozen=True)
@@ -135,11 +140,15 @@ def weak_system(
         return (*(form.get(b, Fraction(0)) for b in names), form.get("1", Fraction(0)))
 
     ring = HarmonicRing(
-        grading.field, names, [as_form(f) for f in natural], [as_form(f) for f in resonant]
+        grading.field,
+        names,
+        [as_form(f) for f in natural],
+        [as_form(f) for f in resonant],
+        moduli=scaled.alphabet.kinked,
     )
     forces, forcing = [], []
     for j, terms in enumerate(equations):
-        force, hard = _sort(taylor, terms, ring, inertias[j].inverse(), j)
+        force, hard = _sort(taylor, terms, ring, inertias[j].inverse(), j, grading.order)
         forces.append(force)
         forcing.append(hard)
     basis = _modal_basis(scaled, ring, grading, forces)
@@ -262,6 +271,7 @@ def _sort(
     ring: HarmonicRing,
     over_inertia: Coefficient,
     j: int,
+    highest: int,
 ) -> tuple[dict[Factors, dict[int, Series]], Series]:
     """The terms of one equation by product of variables and order, without q_j'' + ω_j² q_j."""
     n = len(taylor.coordinates)
@@ -277,5 +287,7 @@ def _sort(
                 hard[z] = c
             continue
         factors = tuple(i for i in range(taylor.dynamic) for _ in range(exponents[i]))
+        if factors and factors[-1] >= 3 * n and term.order < highest:
+            raise not_smooth(taylor.show(term.key), coordinate_name(taylor.coordinates[j]), highest)
         force.setdefault(factors, {}).setdefault(term.order, {})[z] = c
     return force, hard

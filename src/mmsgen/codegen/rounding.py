@@ -108,7 +108,9 @@ def _evaluate(expression: sp.Expr, known: Mapping[sp.Symbol, Rounded]) -> Rounde
     if expression.is_Pow:
         return _power(inner[0], expression.exp)
     if isinstance(expression, sp.Abs):
-        return Rounded(abs(inner[0].value), inner[0].error)
+        size = abs(inner[0].value)
+        unit = 2 * UNIT if isinstance(inner[0].value, mpmath.mpc) else 0  # that of hypot
+        return Rounded(size, inner[0].error + unit * size)
     if isinstance(expression, sp.conjugate):
         return Rounded(mpmath.conj(inner[0].value), inner[0].error)
     if expression.is_number:
