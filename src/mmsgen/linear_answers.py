@@ -10,11 +10,14 @@ import numpy as np
 import sympy as sp
 
 from .errors import ExpansionError, MmsgenError
+from .initial_values import BeatingFormula, beating, beating_formulas, evolution
 from .linear_flow import LinearFlow, linear_flow
 from .numeric import compiled
+from .runtime._beating import Beating
 from .series import Series
 
 if TYPE_CHECKING:
+    from .amplitude_flow import AmplitudeFlow
     from .boundary import Stability
     from .expansion import Expansion
     from .slowflow import SlowFlow
@@ -43,6 +46,11 @@ class LinearAnswers:
 
         @property
         def rates(self) -> tuple[Series, ...]:
+            """Of the slow flow."""
+            ...
+
+        @property
+        def table(self) -> AmplitudeFlow:
             """Of the slow flow."""
             ...
 
@@ -210,3 +218,67 @@ class LinearAnswers:
         others = {k: v for k, v in values.items() if str(getattr(k, "name", k)) not in first}
         table = self._with_detunings(others)
         return {name: v for name, v in table.items() if name not in first}
+
+    # -- from given initial amplitudes ---------------------------------------------------
+
+    def evolution(self, values: Mapping[Any, Any], amplitudes: Any, times: Any) -> Any:
+        """Amplitudes B_j(t) of a linear slow flow from those at t = 0, in the autonomous frame.
+
+        The matrix exponential: a closed form for blocks of one and two variables, scaling and
+        squaring for larger ones, without eigenvectors, so that double eigenvalues do no harm.
+
+        Parameters
+        ----------
+        values : mapping
+            As for `growth_rate`.
+        amplitudes : array_like
+            B_j(0) = A_j(0), shape (..., n), in the order of the coordinates.
+        times : array_like
+            t in s, of either sign; broadcasts with the values and the leading axes of the
+            amplitudes: one axis of times for one set of values.
+
+        Returns
+        -------
+        numpy.ndarray
+            Shape (..., n), complex128.
+
+        Raises
+        ------
+        ExpansionError
+            If the slow flow is not linear, or not autonomous in any frame.
+        MmsgenError
+            As for `growth_rate`; if an amplitude or a time is not a finite number.
+        """
+        return evolution(self.linear, self.table, self._with_detunings(values), amplitudes, times)
+
+    def beating(self, values: Mapping[Any, Any], amplitudes: Any) -> Beating:
+        """How the amplitudes of a linear slow flow beat: period and largest modulus |B_j|.
+
+        Closed forms where no mode decays; else a maximum that is searched for in time, with a bound
+        of what it may miss.
+
+        Parameters
+        ----------
+        values, amplitudes
+            As for `evolution`.
+
+        Returns
+        -------
+        Beating
+            ``period``, ``largest``, ``margin``, each of shape (..., n). A real amplitude
+            is a_j = 2|B_j|. Infinite where an amplitude grows without bound.
+
+        Raises
+        ------
+        ExpansionError, MmsgenError
+            As for `evolution`.
+        """
+        return beating(self.linear, self.table, self._with_detunings(values), amplitudes)
+
+    def beating_formulas(self) -> tuple[BeatingFormula, ...]:
+        """Period and largest amplitudes as formulas, without damping: one for each pair of frequencies.
+
+        They hold the amplitudes in which these two alone are seen; A_j stands for B_j at t = 0 in
+        them. Other amplitudes have none.
+        """
+        return beating_formulas(self.linear)
