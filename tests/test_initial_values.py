@@ -11,7 +11,7 @@ import scipy
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from systems import A, B, Omega, d, duffing, kappa, linear_rotor, mathieu, omega, pair, x, y
+from systems import A, B, Omega, duffing, kappa, linear_rotor, mathieu, omega, pair, x, y
 
 from mmsgen.errors import ExpansionError, MmsgenError
 from mmsgen.runtime._beating import beat

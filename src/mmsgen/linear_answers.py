@@ -276,7 +276,7 @@ class LinearAnswers:
         return beating(self.linear, self.table, self._with_detunings(values), amplitudes)
 
     def beating_formulas(self) -> tuple[BeatingFormula, ...]:
-        """Period and largest amplitudes as formulas, without damping: one for each pair of frequencies.
+        """Period and largest amplitudes as formulas, one for each pair of undamped modes.
 
         They hold the amplitudes in which these two alone are seen; A_j stands for B_j at t = 0 in
         them. Other amplitudes have none.
