@@ -1,8 +1,4 @@
-"""Figures: Matplotlib axes that a user can restyle. Needs the extra ``plot``.
-
-Colours are those of Okabe and Ito (2008), which stay apart for colour-blind readers; lines differ
-in dash as well, so that they stay apart in print.
-"""
+"""Growth rates over a parameter, and how errors fall with ε."""
 
 from __future__ import annotations
 
@@ -11,24 +7,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .style import COLOURS, MARKERS, line_style, on_axes
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from .certificate import Certificate
+    from ..certificate import Certificate
 
 __all__ = ["convergence", "growth_rates"]
-
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-DASHES: tuple[Any, ...] = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)))
-MARKERS = ("o", "s", "^", "D", "v", "x")
-
-
-def _axes(axes: Axes | None, size: tuple[float, float]) -> Axes:
-    if axes is not None:
-        return axes
-    import matplotlib.pyplot as plt
-
-    return plt.subplots(figsize=size, layout="constrained")[1]
 
 
 def growth_rates(
@@ -56,13 +42,12 @@ def growth_rates(
     axes : matplotlib.axes.Axes, optional
         Where to draw; a new figure by default.
     """
-    axes = _axes(axes, (7.0, 3.6))
+    axes = on_axes(axes, (7.0, 3.6))
     for k, (low, high) in enumerate(zones):
         label = "unstable (Floquet)" if k == 0 else None
         axes.axvspan(low, high, color="0.9", lw=0, label=label)
     for k, (label, values) in enumerate(curves.items()):
-        style = {"color": COLOURS[k % len(COLOURS)], "ls": DASHES[k % len(DASHES)]}
-        axes.plot(speeds, values, lw=1.6, label=label, **style)
+        axes.plot(speeds, values, lw=1.6, label=label, **line_style(k))
     x, y = reference
     axes.plot(x, y, "o", ms=3.2, mfc="none", mec="black", mew=0.7, label="Floquet")
     axes.set(xlabel=xlabel, ylabel="growth rate (1/s)")
@@ -91,7 +76,7 @@ def convergence(
     axes : matplotlib.axes.Axes, optional
         Where to draw; a new figure by default.
     """
-    axes = _axes(axes, (5.6, 4.2))
+    axes = on_axes(axes, (5.6, 4.2))
     orders = sorted({c.order for c in certificates})
     for k, c in enumerate(certificates):
         label = labels[k] if labels else f"{c.relation}, order {c.order}"
