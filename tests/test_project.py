@@ -196,6 +196,12 @@ def test_floquet_knows_nothing_of_expansions(imports: dict[str, set[str]]) -> No
     assert imports.get("floquet", set()) <= {"errors", "parameters", "_version"}
 
 
+def test_orbits_know_nothing_of_expansions(imports: dict[str, set[str]]) -> None:
+    # As `floquet`, whose collocation and error bounds they share.
+    allowed = {"errors", "parameters", "numeric", "floquet", "_version"}
+    assert imports.get("orbits", set()) <= allowed
+
+
 def test_nothing_depends_on_a_leaf(imports: dict[str, set[str]]) -> None:
     for name, needed in imports.items():
         if name not in LEAVES:

@@ -25,6 +25,7 @@ from .errors import (
     FloquetError,
     MmsgenError,
     ModelError,
+    OrbitError,
     ResonanceError,
     ScalingError,
 )
@@ -39,7 +40,7 @@ from .symbols import epsilon
 from .tables import ResonanceTable
 
 if TYPE_CHECKING:
-    from . import conventions, floquet
+    from . import conventions, floquet, orbits
     from .certificate import Certificate
     from .certify import certify
     from .codegen import generate
@@ -61,6 +62,7 @@ __all__ = [
     "MmsgenError",
     "Model",
     "ModelError",
+    "OrbitError",
     "Parameter",
     "Resonance",
     "ResonanceError",
@@ -75,6 +77,7 @@ __all__ = [
     "floquet",
     "fourier_series",
     "generate",
+    "orbits",
     "publish",
 ]
 
@@ -90,7 +93,7 @@ _LATER = {
 
 def __getattr__(name: str) -> Any:
     """Load what is needed only now."""
-    if name in ("conventions", "floquet"):
+    if name in ("conventions", "floquet", "orbits"):
         return import_module(f".{name}", __name__)
     if name not in _LATER:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -14,6 +14,7 @@ __all__ = [
     "FloquetError",
     "MmsgenError",
     "ModelError",
+    "OrbitError",
     "ResonanceError",
     "ScalingError",
     "UnresolvedError",
@@ -50,6 +51,10 @@ class EmissionError(MmsgenError):
 
 class FloquetError(MmsgenError):
     """The exact equations are not periodic, or a numeric value is missing or unusable."""
+
+
+class OrbitError(MmsgenError):
+    """No periodic orbit is found from what was passed, or it cannot be followed."""
 
 
 class CertificateError(MmsgenError):
