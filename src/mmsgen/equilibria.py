@@ -1,28 +1,26 @@
-"""Equilibria of a slow flow at numbers: `equilibria`."""
+"""Equilibria of a slow flow at numbers."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from .amplitude_flow import AmplitudeFlow
+from .errors import ExpansionError, MmsgenError
 from .runtime._one_amplitude import equilibria_of_one
 from .runtime._records import Equilibria
-
-if TYPE_CHECKING:
-    from .slowflow import SlowFlow
 
 __all__ = ["equilibria"]
 
 
-def equilibria(slow: SlowFlow, values: Mapping[Any, Any]) -> Equilibria:
+def equilibria(table: AmplitudeFlow, values: Mapping[str, Any]) -> Equilibria:
     """All equilibria of a slow flow, with their growth rates.
 
     Parameters
     ----------
-    slow : SlowFlow
+    table : AmplitudeFlow
     values : mapping
-        Symbol or name → number or array, all broadcasting; for every parameter of the slow flow. A
-        detuning follows from the frequencies of its relation where it is not given itself.
+        Name → number or array, all broadcasting; for every parameter of the slow flow.
 
     Returns
     -------
@@ -31,19 +29,15 @@ def equilibria(slow: SlowFlow, values: Mapping[Any, Any]) -> Equilibria:
 
     Raises
     ------
-    ExpansionError
-        If no frame makes the slow flow autonomous.
     MmsgenError
-        As for `SlowFlow.growth_rate`; or if the equilibria are not isolated, as those of an
-        undamped free oscillator.
+        If a value is missing; if the equilibria are not isolated, as those of an undamped free
+        oscillator.
     """
-    table = slow.table
-    coefficients = table.numbers(slow.with_detunings(values))
+    if table.flow.n > 1:
+        raise ExpansionError("equilibria of more than one amplitude are not implemented")
     try:
-        if table.flow.n == 1:
-            return equilibria_of_one(table.flow, coefficients)
-        from .runtime._many_amplitudes import equilibria_of_many
-
-        return equilibria_of_many(table.flow, coefficients)
+        return equilibria_of_one(table.flow, table.numbers(values))
+    except MmsgenError:
+        raise
     except ValueError as error:
         raise MmsgenError(str(error)) from None

@@ -23,6 +23,7 @@ from .amplitude_flow import AmplitudeFlow, amplitude_flow
 from .errors import ExpansionError
 from .expressions import rational
 from .linear_answers import LinearAnswers
+from .nonlinear_answers import NonlinearAnswers
 from .series import Series
 from .symbols import imaginary_part, modulus, phase, real_part
 
@@ -33,7 +34,7 @@ __all__ = ["SlowFlow", "slow_flow"]
 
 
 @dataclass(frozen=True)
-class SlowFlow(LinearAnswers):
+class SlowFlow(LinearAnswers, NonlinearAnswers):
     """The slow flow of a case.
 
     Attributes

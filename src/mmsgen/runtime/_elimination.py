@@ -120,7 +120,8 @@ def _resultant(f: list[Polynomial]) -> Polynomial:
     def minor(columns: tuple[int, ...]) -> Polynomial:
         """The determinant of the last rows and these columns."""
         if columns not in minors:
-            row, total = d - len(columns), {}
+            row = d - len(columns)
+            total: Polynomial = {}
             for n, k in enumerate(columns):
                 rest = minor(columns[:n] + columns[n + 1 :])
                 total = _add(total, _times(form[row][k], rest), -1.0 if n % 2 else 1.0)
@@ -132,7 +133,8 @@ def _resultant(f: list[Polynomial]) -> Polynomial:
 
 def _entry(f: list[Polynomial], j: int, k: int) -> Polynomial:
     """Σ_l f_{j-l} f̄_{k-l} − f̄_{d-j+l} f_{d-k+l}."""
-    d, out = len(f) - 1, {}
+    d = len(f) - 1
+    out: Polynomial = {}
     for n in range(min(j, k) + 1):
         out = _add(out, _times(f[j - n], _bar(f[k - n])))
         out = _add(out, _times(_bar(f[d - j + n]), f[d - k + n]), -1.0)

@@ -194,6 +194,10 @@ class _Sums(NamedTuple):
     angular: NDArray[np.complex128]
     size: NDArray[np.float64]
 
+    def at(self, index: NDArray[np.int64]) -> _Sums:
+        """Some of the points."""
+        return _Sums(self.value[index], self.radial[index], self.angular[index], self.size[index])
+
 
 def _sums(structure: Structure, c: NDArray[np.complex128], r: NDArray[np.float64], w: Any) -> _Sums:
     value, slope, size = harmonics(structure, c, r)
@@ -282,7 +286,7 @@ def _polished(
         near = (np.abs(r[shift:] - r[:-shift]) <= SAME * r[shift:]) & (turned <= SAME)
         kept[shift:] &= ~(near & (row[shift:] == row[:-shift]) & kept[:-shift])
     order = order[kept]
-    return _Point(row[kept], r[kept], angle[kept], _Sums(*(x[order] for x in s)))
+    return _Point(row[kept], r[kept], angle[kept], s.at(order))
 
 
 def _largest(trace: Any, determinant: Any) -> Any:
