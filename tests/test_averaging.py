@@ -40,7 +40,7 @@ from mmsgen.symbols import amplitude
 CATALOGUE = sorted(
     path.stem
     for path in (ROOT / "derivations").glob("*.py")
-    if path.read_text("utf-8").startswith("# %%")
+    if path.read_text("utf-8").startswith("# %%") and "mg.Emission(" in path.read_text("utf-8")
 )
 LONG = {"ground_resonance": 1}  # entries with many long cases, and how many to do every day
 

@@ -163,6 +163,16 @@ def test_publish_to_a_pipeline(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert staged == {"files": whole.files(), "failures": []}
 
 
+def test_figures_alone(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A derivation may show what others emit."""
+    monkeypatch.setenv(STAGE, str(tmp_path))
+    shown = mg.publish(figures={"name": Figure()})
+    assert shown == "nothing is emitted; figures: name"
+    assert set(contents(tmp_path)) == {"emission.json", "name.png"}
+    staged = json.loads((tmp_path / "emission.json").read_text("utf-8"))
+    assert staged == {"files": {}, "failures": []}
+
+
 def test_certificates_are_kept_until_something_changes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

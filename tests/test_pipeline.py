@@ -243,6 +243,17 @@ def test_a_derivation_that_publishes_nothing(project: Project, staged: dict[str,
     assert contents(project.root) == before
 
 
+def test_a_derivation_of_figures_alone_leaves_emitted_files(
+    project: Project, staged: dict[str, Any]
+) -> None:
+    staged["files"], staged["png"] = {}, {"shown.png": png(0.5)}
+    before = contents(project.root)
+    outcome = make(project, "pendulum")
+    assert set(outcome.changed) == {NOTEBOOK, "docs/figures/shown.png"}
+    now = contents(project.root)
+    assert all(now[name] == data for name, data in before.items() if name != NOTEBOOK)
+
+
 def test_a_derivation_that_fails_writes_nothing(project: Project) -> None:
     text = DERIVATION.replace("scaled.expand(2)", "scaled.expand(0)")
     (project.derivations / "pendulum.py").write_text(text, encoding="utf-8")

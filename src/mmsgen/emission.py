@@ -160,12 +160,15 @@ class Emission:
         return dict(sorted(files.items()))
 
 
-def publish(emission: Emission, figures: Mapping[str, Any] | None = None) -> str:
+def publish(
+    emission: Emission | None = None, figures: Mapping[str, Any] | None = None
+) -> str:
     """Hand an emission over to the pipeline, if one is listening.
 
     Parameters
     ----------
-    emission : Emission
+    emission : Emission, optional
+        None for a derivation that shows what others emit.
     figures : mapping, optional
         Name → Matplotlib figure, for the documentation.
 
@@ -174,14 +177,17 @@ def publish(emission: Emission, figures: Mapping[str, Any] | None = None) -> str
     str
         What has been handed over, or would be.
     """
-    files = emission.files()
+    files = {} if emission is None else emission.files()
+    failures = () if emission is None else emission.failures
     stage = os.environ.get(STAGE)
     if stage:
         folder = Path(stage)
         for name, figure in sorted((figures or {}).items()):
             figure.savefig(folder / f"{name}.png", dpi=150, metadata={"Software": None})
-        text = json.dumps({"files": files, "failures": emission.failures}, ensure_ascii=False)
+        text = json.dumps({"files": files, "failures": failures}, ensure_ascii=False)
         write_atomically(folder / "emission.json", text)
+    if emission is None:
+        return f"nothing is emitted; figures: {', '.join(sorted(figures or {})) or 'none'}"
     lines = [f"{len(files)} files for {emission.model}, {len(emission.held)} cases"]
-    lines += [f"not emitted: {failure}" for failure in emission.failures]
+    lines += [f"not emitted: {failure}" for failure in failures]
     return "\n".join(lines)

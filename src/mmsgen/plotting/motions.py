@@ -53,4 +53,5 @@ def time_response(
         axes.plot(there, both, label=label, color="black", ls=DASHES[(k + 1) % 5], lw=1.1)
     axes.set(xlabel=xlabel, ylabel=ylabel)
     axes.set_xlim(float(t.min()), float(t.max()))
-    return with_legend(axes, ncols=2, loc="upper right")
+    # Above the axes, which a motion fills.
+    return with_legend(axes, ncols=4, loc="lower right", bbox_to_anchor=(1.0, 1.0))
