@@ -261,6 +261,14 @@ class Solver:
         secular = {k: c for k, c in known.items() if self.ring.frequency(k) == omega}
         return OrderEquation(known, secular, tuple(cancelled))
 
+    def particular(self, j: int, equation: OrderEquation) -> Series:
+        """The particular solution of equation j at one order, without its fundamental harmonic."""
+        return {
+            key: c * self._divisor(j, self.ring.frequency(key))
+            for key, c in equation.known.items()
+            if not self._is_fundamental(j, key)
+        }
+
     def _complete(
         self, p: int, known: list[tuple[Series, Series]], equations: list[OrderEquation]
     ) -> None:
@@ -268,11 +276,7 @@ class Solver:
         ring = self.ring
         eta, eta_v, eta_w = [], [], []
         for j, equation in enumerate(equations):
-            part = {
-                key: c * self._divisor(j, ring.frequency(key))
-                for key, c in equation.known.items()
-                if not self._is_fundamental(j, key)
-            }
+            part = self.particular(j, equation)
             fresh = ring.collect(ring.derivation(self.eta[0][j], self.g[p], {}))
             vp = ring.add(ring.d0(part), fresh)
             late = ring.collect(ring.derivation(self.eta_v[0][j], self.g[p], {}))
