@@ -28,7 +28,7 @@ DOUBLE_ROOT = 1e-6
 
 
 def arguments_of(function: Any, values: Mapping[str, Any]) -> dict[str, Any]:
-    """The values that an emitted function takes by keyword.
+    """The values of the parameters that an emitted function takes.
 
     Raises
     ------
@@ -36,7 +36,8 @@ def arguments_of(function: Any, values: Mapping[str, Any]) -> dict[str, Any]:
         If one is missing.
     """
     kinds = inspect.signature(function).parameters.values()
-    names = [p.name for p in kinds if p.kind is inspect.Parameter.KEYWORD_ONLY]
+    wanted = (p for p in kinds if p.kind is p.KEYWORD_ONLY and p.default is p.empty)
+    names = [p.name for p in wanted]
     missing = [n for n in names if n not in values]
     if missing:
         raise CertificateError(f"no value is given for {', '.join(missing)}")

@@ -166,15 +166,18 @@ def number(text: Any) -> Any:
     return mpmath.mpf(text)
 
 
+def leading(point: Mapping[str, Any]) -> list[Any]:
+    """What a function takes before its keywords at a stored point: the time, and amplitudes."""
+    amplitudes = [[complex(*pair) for pair in point[k]] for k in ("amplitudes",) if k in point]
+    return [*(point[k] for k in ("time",) if k in point), *amplitudes]
+
+
 def calls(name: str) -> Iterator[tuple[str, dict[str, float], Any, list[Any], list[Any]]]:
     """Every stored point: function, arguments, emitted result (flat), values, error bounds."""
     one = emitted(name)
     for function, points in one.reference["functions"].items():
         for point in points:
             arguments = point["arguments"]
-            leading = (
-                [[complex(*pair) for pair in point["amplitudes"]]] if "amplitudes" in point else []
-            )
-            result = np.ravel(getattr(one.module, function)(*leading, **arguments))
+            result = np.ravel(getattr(one.module, function)(*leading(point), **arguments))
             values = [number(v) for v in point["values"]]
             yield function, arguments, result, values, [mpmath.mpf(e) for e in point["errors"]]

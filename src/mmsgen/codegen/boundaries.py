@@ -12,7 +12,8 @@ import sympy as sp
 from ..ir import compute_ir, fresh
 from ..parameters import Parameter
 from .exact import exact
-from .kernels import EmittedFunction, Kernel, Reference
+from .kernels import EmittedFunction, Kernel, Reference, called
+from .options import gradient_option, names_tuple
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
@@ -87,20 +88,25 @@ def boundary_function(setting: Setting) -> EmittedFunction:
     detuning = setting.detunings[0].name if setting.detunings else "a detuning"
     kernels = () if kernel is None else (kernel,)
     name = "no_edges" if kernel is None else "_boundaries"
+    names = [p.name for p in arguments]
+    gradient = gradient_option(names)
+    items = ["{evaluate_pair}", f"{{{name}}}", "{arguments}"]
+    items.append(f"{names_tuple(names)} if {gradient.name} else ()")
     return EmittedFunction(
         name="boundaries",
         arguments=arguments,
-        body=f"{{evaluate_pair}}({{{name}}}, {{arguments}})",
-        returns="tuple[Any, Any]",
+        body=called("{boundaries_at}", items),
+        returns="Any",
         summary=f"Both edges of the unstable interval of {detuning}.",
         description=_description(setting, kernel),
         result=(
             "lower, upper: in rad/s, float64, in the shape to which the arguments broadcast; NaN "
-            "where there is no unstable interval."
+            "where there is no unstable interval. With gradient this pair and name -> pair."
         ),
         reference=reference,
         kernels=kernels,
-        uses=("evaluate_pair", *(("no_edges",) if kernel is None else ())),
+        uses=("boundaries_at", "evaluate_pair", *(("no_edges",) if kernel is None else ())),
+        options=(gradient,) if names else (),
     )
 
 

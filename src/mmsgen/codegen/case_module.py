@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from hashlib import sha256
 from string import Template
@@ -14,7 +14,7 @@ from ..errors import EmissionError
 from ..ir import fresh
 from ..parameters import Parameter
 from .docstrings import domain_of, function_docstring, module_docstring
-from .kernels import RUNTIME, EmittedFunction, Kernel
+from .kernels import RUNTIME, Constant, EmittedFunction, Kernel
 from .numpy_target import LINE_LENGTH, kernel_text, wrapped
 from .setting import Setting
 
@@ -64,6 +64,7 @@ $aliases
 
 # --- formulas -------------------------------------------------------------------------------------
 
+$constants
 
 $kernels
 
@@ -107,7 +108,9 @@ def case_text(
     kernels = [kernel for function in functions for kernel in function.kernels]
     names = _module_names(setting, functions, kernels)
     counts = ", ".join(f"{k.name.lstrip('_')} {k.ir.operations}" for k in kernels)
+    constants = [constant for function in functions for constant in function.constants]
     calls = {"checked", *(name for f in functions for name in f.uses)}
+    calls |= {constant.function for constant in constants}
     formulas = {name for k in kernels for name in k.uses}
     exported = sorted((*_CONSTANTS, *(f.name for f in functions)), key=_all_order)
     aliases = ""
@@ -124,7 +127,7 @@ def case_text(
             subsequent_indent="# ",
         ),
         "docstring": module_docstring(setting, model, source),
-        "typing": "TYPE_CHECKING" + (", Any" if any("Any" in f.returns for f in functions) else ""),
+        "typing": "TYPE_CHECKING" + (", Any" if any(map(_untyped, functions)) else ""),
         "imports": _imports(calls, formulas, names),
         "exported": "\n".join(f'    "{name}",' for name in exported),
         "relations": _tuple_text(setting.relations, "RELATIONS: tuple[str, ...] = "),
@@ -134,6 +137,7 @@ def case_text(
         "frame": _frame_text(setting),
         "variables": _tuple_text(_variables(setting), "VARIABLES: tuple[str, ...] = "),
         "aliases": aliases,
+        "constants": "".join(_constant_text(c, names) for c in constants),
         "kernels": "\n\n".join(kernel_text(k, names[k.name]) for k in kernels),
         "functions": "\n\n".join(_function_text(f, setting, names) for f in functions),
     }
@@ -141,6 +145,10 @@ def case_text(
 
 
 _CONSTANTS = ("COORDINATES", "FRAME", "ORDER", "PARAMETERS", "RELATIONS", "VARIABLES")
+
+
+def _untyped(function: EmittedFunction) -> bool:
+    return "Any" in function.returns or any("Any" in o.annotation for o in function.options)
 
 
 def _all_order(name: str) -> tuple[int, str]:
@@ -152,8 +160,10 @@ def _module_names(
 ) -> dict[str, str]:
     """Names at module level, none of them that of an argument, which would hide it."""
     arguments = {p.name for f in functions for p in f.arguments}
+    arguments |= {o.name for f in functions for o in f.options}
     wanted = ["PARAMETERS", "checked", *(name for f in functions for name in f.uses)]
     wanted += [k.name for k in kernels]
+    wanted += [name for f in functions for c in f.constants for name in (c.name, c.function)]
     return {name: fresh(name, arguments) for name in dict.fromkeys(wanted)}
 
 
@@ -231,11 +241,18 @@ def _variables(setting: Setting) -> tuple[str, ...]:
     return tuple(texts)
 
 
+def _constant_text(constant: Constant, names: Mapping[str, str]) -> str:
+    items = "\n".join(f"    {item}," for item in constant.items)
+    head = f"{names[constant.name]} = {names[constant.function]}("
+    return f"\n#: {constant.meaning}\n{head}\n{items}\n)\n"
+
+
 def _function_text(function: EmittedFunction, setting: Setting, names: dict[str, str]) -> str:
     leading = [f"{name}: ArrayLike" for name, _ in function.leading]
     if function.leading:
         leading.append("/")
     keywords = [f"{p.name}: ArrayLike" for p in function.arguments]
+    keywords += [f"{o.name}: {o.annotation} = {o.default}" for o in function.options]
     signature = [*leading, *(["*", *keywords] if keywords else [])]
     head = f"def {function.name}({', '.join(signature)}) -> {function.returns}:"
     if len(head) > LINE_LENGTH:
@@ -245,6 +262,7 @@ def _function_text(function: EmittedFunction, setting: Setting, names: dict[str,
     passed = [names["PARAMETERS"], *(f"{p.name}={p.name}" for p in function.arguments)]
     call = f"{names['checked']}({', '.join(passed)})"
     taken = {p.name for p in function.arguments} | set(names.values())
+    taken |= {o.name for o in function.options}
     local = fresh("arguments", taken | {name for name, _ in function.leading})
     lines = [f"    {local} = {call}"]
     if len(lines[0]) > LINE_LENGTH:

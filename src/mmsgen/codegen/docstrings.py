@@ -89,12 +89,14 @@ def function_docstring(function: EmittedFunction, setting: Setting) -> str:
     lines = [f'    """{function.summary}', ""]
     if function.description:
         lines += [paragraph(function.description, 4), ""]
-    if function.leading or function.arguments:
+    if function.leading or function.arguments or function.options:
         lines += ["    Parameters", "    ----------"]
     for name, meaning in function.leading:
         lines += [f"    {name} : array_like", paragraph(meaning, 8)]
     for parameter in function.arguments:
         lines += [f"    {parameter.name} : array_like", paragraph(_about(parameter), 8)]
+    for option in function.options:
+        lines += [f"    {option.name} : {option.kind}", paragraph(option.meaning, 8)]
     if lines[-1]:
         lines.append("")
     lines += ["    Returns", "    -------", *_result(function)]
@@ -116,5 +118,5 @@ def _result(function: EmittedFunction) -> Iterable[str]:
     if function.result.startswith("lower, upper: "):
         text = function.result.removeprefix("lower, upper: ")
         return ["    lower, upper : float64", paragraph(text[0].upper() + text[1:], 8)]
-    kind = "complex128" if "complex" in function.returns else "float64"
+    kind = function.kind or ("complex128" if "complex" in function.returns else "float64")
     return [f"    {kind}", paragraph(function.result, 8)]

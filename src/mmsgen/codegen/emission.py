@@ -17,8 +17,10 @@ from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
 from .modal import modes_function
 from .model_module import PACKAGE_TEXT, model_text
+from .motion import motion_function
 from .modulation import modulation_function
 from .naming import check_module_name
+from .nonlinear import COEFFICIENTS, TABLE, flow_functions
 from .reference import reference_text
 from .setting import Setting
 from .speeds import speed_function
@@ -31,8 +33,9 @@ Cases = Expansion | Iterable[Expansion]
 def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
     """All functions of a case, in the order in which they are emitted.
 
-    A linear slow flow has all six; one that is nonlinear, or driven, has `slow_flow` alone. A case
-    whose boundary is not known as the zero of a polynomial has no `boundaries` and no
+    All have `slow_flow` and `response`. A linear slow flow has what follows from its matrix; one
+    that is nonlinear, or driven, what follows from its equilibria, if a frame makes it autonomous.
+    A case whose boundary is not known as the zero of a polynomial has no `boundaries` and no
     `critical_speeds`; one whose mode shapes change with the detuned frequency has none of these
     either. Where modes are named quantities, `modes` computes these.
     """
@@ -40,7 +43,10 @@ def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
     named = () if modes is None else (modes,)
     flow = modulation_function(setting)
     if setting.linear is None:
-        return (flow, *named)
+        if setting.flow.frame is None:
+            return (flow, motion_function(setting, None), *named)
+        rest = flow_functions(setting)
+        return (flow, *rest, motion_function(setting, (TABLE, COEFFICIENTS)), *named)
     edges: tuple[EmittedFunction, ...] = ()
     if not setting.no_boundary:
         boundaries = boundary_function(setting)
@@ -53,6 +59,7 @@ def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
         matrix_function(setting),
         characteristic_function(setting),
         flow,
+        motion_function(setting, None),
         *named,
     )
 

@@ -2,19 +2,35 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
 from ..ir import IR
 from ..parameters import Parameter
 
-__all__ = ["AMPLITUDES", "RUNTIME", "SHARED", "EmittedFunction", "Kernel", "Reference", "Statement"]
+__all__ = [
+    "AMPLITUDES",
+    "RUNTIME",
+    "SHARED",
+    "TIME",
+    "Constant",
+    "EmittedFunction",
+    "Kernel",
+    "Option",
+    "Reference",
+    "Statement",
+    "called",
+]
 
 #: what emitted modules may use of the code that they share: name -> module
 RUNTIME = {
     **dict.fromkeys(("explicit_edges", "implicit_edges", "zone"), "_edges"),
+    **dict.fromkeys(("boundaries_at", "real_at"), "_dual"),
     "modal_values": "_eigenmodes",
+    "Flow": "_flow",
+    **dict.fromkeys(("Motion", "response_at"), "_motion"),
+    **dict.fromkeys(("jacobian_at", "stability_at"), "_nonlinear"),
     **dict.fromkeys(
         (
             "checked",
@@ -37,10 +53,10 @@ RUNTIME = {
 
 
 #: modules of `mmsgen.runtime` that every emitted package holds
-SHARED = ("_edges", "_eigenmodes", "_runtime")
+SHARED = ("_dual", "_edges", "_eigenmodes", "_flow", "_motion", "_nonlinear", "_runtime")
 
-#: where a point holds the amplitudes: no parameter can have this name
-AMPLITUDES = "(amplitudes)"
+#: where a point holds the amplitudes, and the time: no parameter can have these names
+AMPLITUDES, TIME = "(amplitudes)", "(time)"
 
 
 Statement = tuple[str, tuple[str, ...]]
@@ -75,6 +91,44 @@ class Kernel:
 
 
 @dataclass(frozen=True)
+class Constant:
+    """What a module holds besides its formulas.
+
+    Attributes
+    ----------
+    name : str
+    function : str
+        Of the runtime, which makes it.
+    items : tuple of str
+        Its arguments, as Python text.
+    meaning : str
+        A comment.
+    """
+
+    name: str
+    function: str
+    items: tuple[str, ...]
+    meaning: str
+
+
+@dataclass(frozen=True)
+class Option:
+    """A keyword of an emitted function that is no parameter.
+
+    Attributes
+    ----------
+    name, annotation, default, kind, meaning : str
+        `kind` is what the docstring says of its type.
+    """
+
+    name: str
+    annotation: str
+    default: str
+    kind: str
+    meaning: str
+
+
+@dataclass(frozen=True)
 class Reference:
     """Reference values at one point, each with the error that double precision may make.
 
@@ -88,6 +142,8 @@ class Reference:
         Of mpmath numbers.
     amplitudes : tuple
         Those that the function takes before its keywords.
+    time : tuple
+        The time that it takes before these, alone in a tuple.
     """
 
     arguments: Mapping[str, Any]
@@ -95,6 +151,7 @@ class Reference:
     values: tuple[Any, ...]
     errors: tuple[Any, ...]
     amplitudes: tuple[Any, ...] = ()
+    time: tuple[Any, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -118,8 +175,14 @@ class EmittedFunction:
         Functions of the runtime that the body calls.
     leading : tuple of (name, description)
         Arguments before the keywords.
-    reference : callable
+    reference : callable or None
         Point → `Reference`.
+    options : tuple of Option
+        Further keywords, after the parameters.
+    constants : tuple of Constant
+        Those that belong to this function.
+    kind : str
+        What the docstring says of the type of the result; by default that of the numbers.
     """
 
     name: str
@@ -129,7 +192,22 @@ class EmittedFunction:
     summary: str
     description: str
     result: str
-    reference: Callable[[Mapping[str, Any]], Reference] = field(compare=False)
+    reference: Callable[[Mapping[str, Any]], Reference] | None = field(compare=False)
     kernels: tuple[Kernel, ...] = ()
     uses: tuple[str, ...] = ()
     leading: tuple[tuple[str, str], ...] = ()
+    options: tuple[Option, ...] = ()
+    constants: tuple[Constant, ...] = ()
+    kind: str = ""
+
+
+def called(head: str, items: Sequence[str]) -> str:
+    """A call after a return statement, its arguments a line each where they are too long for one.
+
+    Braces stand for names, as in `EmittedFunction.body`.
+    """
+    line = f"{head}({', '.join(items)})"
+    if len(line) <= 86:
+        return line
+    inner = "".join(f"        {item},\n" for item in items)
+    return f"{head}(\n{inner}    )"

@@ -11,7 +11,7 @@ import mpmath
 from ..parameters import Parameter
 from .boundaries import boundary_parameters, boundary_values
 from .docstrings import domain_of
-from .kernels import AMPLITUDES, EmittedFunction, Kernel
+from .kernels import AMPLITUDES, TIME, EmittedFunction, Kernel
 from .setting import Setting, values_of
 
 __all__ = ["points_of", "speed_points_of"]
@@ -63,7 +63,31 @@ def _assignments(
 def points_of(setting: Setting, functions: Sequence[EmittedFunction]) -> list[dict[str, Any]]:
     """Values of all parameters and amplitudes, inside and outside of the unstable interval."""
     kernel = next((k for f in functions if f.name == "boundaries" for k in f.kernels), None)
-    return [_point(setting, kernel, i) for i in range(COUNT)]
+    known = {p.name for p in setting.parameters}
+    more = {
+        p.name: p
+        for f in functions
+        if f.name == "response"
+        for p in f.arguments
+        if p.name not in known
+    }
+    points = []
+    for i in range(COUNT):
+        point = _point(setting, kernel, i)
+        point |= _further(setting, tuple(more.values()), i)
+        points.append(point)
+    return points
+
+
+def _further(setting: Setting, parameters: Sequence[Parameter], i: int) -> dict[str, Any]:
+    """Values of what only harmonics depend on, frequencies away from the others, and a time."""
+    chosen = {p.name: (mpmath.mpf(419 + 58 * k) + i) / 8 for k, p in enumerate(parameters)}
+    frequencies = {str(s.name) for s in setting.case.weak.scaled.frequencies}
+    orders = {str(s.name): order for s, order in setting.case.weak.scaled.orders}
+    for k, p in enumerate(parameters):
+        if p.name not in frequencies:
+            chosen[p.name] = _other_value(p, k, i, orders.get(p.name, 0))
+    return {**chosen, TIME: mpmath.mpf(5 + 6 * i) / 16}
 
 
 def _point(setting: Setting, kernel: Kernel | None, i: int) -> dict[str, Any]:

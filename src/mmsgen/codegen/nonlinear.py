@@ -1,0 +1,157 @@
+"""The emitted functions of nonlinear slow flows: stability, equilibria and their curves.
+
+All of them share the table of the slow flow's terms, and the kernel that evaluates their
+coefficients.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import reduce
+from operator import mul
+from typing import Any
+
+import mpmath
+import sympy as sp
+
+from ..ir import compute_ir, fresh
+from .exact import exact
+from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Reference, called
+from .numpy_target import wrapped
+from .rounding import UNIT, Rounded, rounded
+from .setting import Setting, values_of
+
+__all__ = ["COEFFICIENTS", "TABLE", "flow_functions"]
+
+TABLE, COEFFICIENTS = "_FLOW", "_coefficients"
+"""Names of the table and of the kernel in emitted modules."""
+
+
+def flow_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
+    """What is emitted for an autonomous nonlinear slow flow besides its right-hand side."""
+    return (_jacobian_function(setting), _stability_function(setting))
+
+
+def _kernel(setting: Setting) -> tuple[Kernel, str]:
+    """The kernel of all coefficients, and how it calls its output."""
+    out = fresh("out", [p.name for p in setting.parameters])
+    table = setting.flow.table
+    outputs = {f"{out}[..., {m}]": c for m, c in enumerate(table.coefficients) if c != 0}
+    symbols = [p.symbol for p in setting.parameters]
+    ir = compute_ir(f"{setting.name}.coefficients", symbols, outputs)
+    return Kernel(COEFFICIENTS, ir, leading=(out,)), out
+
+
+def _constant(setting: Setting) -> Constant:
+    n, terms, symmetries = setting.flow.table.flow
+    inner = "\n".join(wrapped([str(term) for term in terms], 8))
+    items = (str(n), f"(\n{inner}\n    )", str(symmetries))
+    return Constant(TABLE, "Flow", items, "terms of the slow flow: equation, powers of B, B̄, |B|")
+
+
+def _leading(setting: Setting) -> tuple[tuple[str, str], ...]:
+    n = len(setting.coordinates)
+    name = fresh("amplitudes", [p.name for p in setting.parameters])
+    return ((name, f"Shape (..., {n}), in the order of COORDINATES; NaN gives NaN."),)
+
+
+def _jacobian_function(setting: Setting) -> EmittedFunction:
+    kernel, out = _kernel(setting)
+    n, leading = len(setting.coordinates), _leading(setting)
+    items = [f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}", leading[0][0]]
+    free = bool(setting.flow.table.flow.symmetries)
+
+    def reference(point: Mapping[str, Any]) -> Reference:
+        own, given = values_of(point, setting.parameters), tuple(point[AMPLITUDES])
+        values = _exact_jacobian(setting, own, given)
+        errors = _jacobian_errors(setting, kernel, out, own, given)
+        return Reference(own, (2 * n, 2 * n), values, errors, given)
+
+    return EmittedFunction(
+        name="jacobian",
+        arguments=setting.parameters,
+        body=called("{jacobian_at}", items),
+        returns="NDArray[np.float64]",
+        summary="Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.",
+        description="In the frame of `slow_flow`" + (_DRIFTING if free else "") + ".",
+        result=f"Shape (..., {2 * n}, {2 * n}), in 1/s, rows and columns u_1, v_1, u_2, …",
+        reference=None if free else reference,
+        kernels=(kernel,),
+        uses=("jacobian_at",),
+        leading=leading,
+        constants=(_constant(setting),),
+    )
+
+
+_DRIFTING = (
+    ", turned along its symmetries so that the amplitudes given drift as little as they can; an "
+    "equilibrium then is at rest"
+)
+
+
+def _stability_function(setting: Setting) -> EmittedFunction:
+    n, leading = len(setting.coordinates), _leading(setting)
+    items = [f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}", leading[0][0]]
+    text = "Small disturbances of an equilibrium grow like exp(Γ t)."
+    if setting.flow.table.flow.symmetries:
+        text += " Each symmetry that moves the point has a zero, which is left out."
+    return EmittedFunction(
+        name="stability",
+        arguments=setting.parameters,
+        body=called("{stability_at}", items),
+        returns="NDArray[np.complex128]",
+        summary="Eigenvalues Γ of the Jacobian, the largest real part first.",
+        description=text,
+        result=f"Shape (..., {2 * n}), in 1/s; NaN at the end for those that are left out.",
+        reference=None,
+        uses=("stability_at",),
+        leading=leading,
+    )
+
+
+# --- reference values -----------------------------------------------------------------------------
+
+
+def _exact_jacobian(
+    setting: Setting, own: Mapping[str, Any], given: Sequence[Any]
+) -> tuple[Any, ...]:
+    """The Jacobian from the right-hand sides as formulas, not from the table."""
+    amplitudes = setting.case.amplitudes
+    barred = {sp.conjugate(a): sp.Dummy(f"{a.name}_bar") for a in amplitudes}
+    n = len(amplitudes)
+    values = {**own, **{a.name: b for a, b in zip(amplitudes, given, strict=True)}}
+    values |= {s.name: mpmath.conj(b) for s, b in zip(barred.values(), given, strict=True)}
+    whole = [[mpmath.mpf(0)] * (2 * n) for _ in range(2 * n)]
+    for j, rate in enumerate(setting.rates.values()):
+        plain = rate.xreplace(barred)
+        for k, a in enumerate(amplitudes):
+            p = exact(plain.diff(a), values)
+            q = exact(plain.diff(barred[sp.conjugate(a)]), values)
+            both, apart = mpmath.mpc(p + q), mpmath.mpc(p - q)
+            whole[2 * j][2 * k], whole[2 * j][2 * k + 1] = both.real, -apart.imag
+            whole[2 * j + 1][2 * k], whole[2 * j + 1][2 * k + 1] = both.imag, apart.real
+    return tuple(x for row in whole for x in row)
+
+
+def _jacobian_errors(
+    setting: Setting, kernel: Kernel, out: str, own: Mapping[str, Any], given: Sequence[Any]
+) -> tuple[Any, ...]:
+    """What rounding makes of each entry: that of all products and sums in the table's terms."""
+    n, terms, _ = setting.flow.table.flow
+    inner = rounded(kernel.ir, own)
+    zero = Rounded(mpmath.mpf(0), mpmath.mpf(0))
+    amplitudes = [Rounded(mpmath.mpc(b), mpmath.mpf(0)) for b in given]
+    bounds = [[mpmath.mpf(0)] * n for _ in range(n)]
+    for m, (j, exponents) in enumerate(terms):
+        c = inner.get(f"{out}[..., {m}]", zero)
+        for k in range(n):
+            powers = exponents[3 * k : 3 * k + 3]
+            if not any(powers):
+                continue
+            factors = [c]
+            for i, b in enumerate(amplitudes):
+                factors += [b] * (sum(exponents[3 * i : 3 * i + 3]) - (i == k))
+            product = reduce(mul, factors)
+            size = abs(product.value) * (len(terms) + 2) * UNIT
+            bounds[j][k] += sum(powers) * (product.error + size)
+    return tuple(bounds[j // 2][k // 2] for j in range(2 * n) for k in range(2 * n))
