@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from mmsgen.codegen.kernels import SHARED as RUNTIME
 from mmsgen.pipeline import Project
 
 DERIVATION = """\
@@ -101,9 +102,7 @@ CASES = [
 EMITTED = sorted(
     [
         "generated/mms_functions/__init__.py",
-        "generated/mms_functions/_edges.py",
-        "generated/mms_functions/_eigenmodes.py",
-        "generated/mms_functions/_runtime.py",
+        *(f"generated/mms_functions/{name}.py" for name in RUNTIME),
         f"{FOLDER}/__init__.py",
         *CASES,
     ]

@@ -21,6 +21,8 @@ from typing import TYPE_CHECKING
 
 import sympy as sp
 
+from .errors import ExpansionError
+from .nonsmooth import check_finite
 from .series import Series
 from .solver import Solver
 
@@ -75,8 +77,12 @@ class UniformMotion:
 
 
 def coordinate_series(case: Expansion) -> list[list[Series]]:
-    """q_{j,p} by order p = 0 … N and coordinate j."""
+    """q_{j,p} by order p = 0 … N and coordinate j; of non-smooth forces without the last order."""
     solver = case.solver
+    try:
+        check_finite(case.weak, "the particular solution")
+    except ExpansionError:
+        return solver.q[: case.order]
     if solver.modal is None:
         last = [solver.particular(j, e) for j, e in enumerate(solver.equations[-1])]
         return [*solver.q[: case.order], last]
@@ -102,9 +108,9 @@ def uniform_motion(case: Expansion) -> UniformMotion:
         for j, series in enumerate(parts):
             table: dict[tuple[tuple[int, ...], tuple[int, ...]], list[sp.Expr]] = {}
             for key in sorted(series):
-                e = ring.packing.exponents(key)
-                exponents = tuple(x for k in range(n) for x in (e[2 * k], e[2 * k + 1], 0))
-                harmonics = tuple(e[2 * n + m] for m in moving)
+                e, moduli, turns = ring.packing.exponents(key), ring.moduli(key), ring.phasors(key)
+                exponents = tuple(x for k in range(n) for x in (e[2 * k], e[2 * k + 1], moduli[k]))
+                harmonics = tuple(turns[m] for m in moving)
                 mirrored = _mirrored(exponents, harmonics)
                 if (exponents, harmonics) < mirrored:
                     continue

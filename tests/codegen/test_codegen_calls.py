@@ -34,6 +34,7 @@ def test_scalars_give_scalars() -> None:
     assert rotor().slow_flow(np.ones(6), **VALUES).shape == (6,)
 
 
+@pytest.mark.filterwarnings("ignore:outside of the validity:UserWarning")
 @pytest.mark.parametrize("name", [n for n in CASES if n not in ("duffing", "plain")])
 def test_arrays_broadcast_and_agree_with_scalars(name: str) -> None:
     one = emitted(name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from inspect import signature
 from typing import Any
 
 import mpmath
@@ -217,7 +218,7 @@ def crossing(module: Any, values: Mapping[str, float], start: float, end: float)
 
     def above(speed: float) -> bool:
         lag = np.hypot(values["omega_b"], values["r_a"] * speed)
-        names = [n for n in module.PARAMETERS if n in ("r_m", "r_b", "omega_x", "omega_y")]
+        names = set(signature(module.growth_rate).parameters) & set(values)
         own = {n: values[n] for n in names}
         sigma = speed - values["omega_x"] - lag
         return bool(module.growth_rate(sigma=sigma, omega_phi=lag, **own) > 0.02)

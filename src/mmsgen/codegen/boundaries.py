@@ -13,7 +13,7 @@ from ..ir import compute_ir, fresh
 from ..parameters import Parameter
 from .exact import exact
 from .kernels import EmittedFunction, Kernel, Reference, called
-from .options import gradient_option, names_tuple
+from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
@@ -91,7 +91,7 @@ def boundary_function(setting: Setting) -> EmittedFunction:
     names = [p.name for p in arguments]
     gradient = gradient_option(names)
     items = ["{evaluate_pair}", f"{{{name}}}", "{arguments}"]
-    items.append(f"{names_tuple(names)} if {gradient.name} else ()")
+    items.append(wanted(names, gradient) if names else "()")
     return EmittedFunction(
         name="boundaries",
         arguments=arguments,

@@ -207,7 +207,7 @@ def called(head: str, items: Sequence[str]) -> str:
     Braces stand for names, as in `EmittedFunction.body`.
     """
     line = f"{head}({', '.join(items)})"
-    if len(line) <= 86:
+    if len(line) <= 86 and "\n" not in line:
         return line
     inner = "".join(f"        {item},\n" for item in items)
     return f"{head}(\n{inner}    )"

@@ -102,6 +102,7 @@ def mode_points(function: EmittedFunction, count: int) -> list[dict[str, Any]]:
                 for k, p in enumerate(function.arguments)
             }
             chosen = chosen or point
+            assert function.reference is not None
             if all(mpmath.isfinite(v) for v in function.reference(point).values):
                 chosen = point
                 break

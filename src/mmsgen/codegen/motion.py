@@ -19,7 +19,7 @@ from .exact import exact
 from .kernels import AMPLITUDES, TIME, Constant, EmittedFunction, Kernel, Option, Reference, called
 from .naming import check_parameter_names
 from .numpy_target import wrapped
-from .options import gradient_option, names_tuple
+from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
@@ -60,12 +60,13 @@ def motion_function(setting: Setting, slow: tuple[str, str] | None) -> EmittedFu
     order, drift = fresh("order", names), fresh("drift", names)
     gradient = gradient_option(names)
     free = () if slow is None else setting.flow.table.flow.symmetries
-    options = (_order_option(order, setting), *((_drift_option(drift, len(free)),) if free else ()))
+    top = max(term.order for term in motion.terms)
+    options = (_order_option(order, top), *((_drift_option(drift, len(free)),) if free else ()))
     items = ["{_MOTION}", "{_motion}", "{arguments}", t, amplitudes, f"order={order}"]
     items += [f"drift={drift}"] if free else []
     if slow is not None:
         items.append(f"slow=({{{slow[0]}}}, {{{slow[1]}}}, {len(setting.parameters)})")
-    items.append(f"names={names_tuple(names)} if {gradient.name} else ()")
+    items.append(wanted(names, gradient, "names="))
     n = motion.n
 
     def reference(point: Mapping[str, Any]) -> Reference:
@@ -99,8 +100,7 @@ def _coordinates(setting: Setting) -> tuple[str, ...]:
     return tuple(coordinate_name(q) for q in setting.case.weak.scaled.eom.coordinates)
 
 
-def _order_option(name: str, setting: Setting) -> Option:
-    top = setting.case.order
+def _order_option(name: str, top: int) -> Option:
     return Option(
         name,
         "int | None",

@@ -118,12 +118,13 @@ def _exact_jacobian(
     """The Jacobian from the right-hand sides as formulas, not from the table."""
     amplitudes = setting.case.amplitudes
     barred = {sp.conjugate(a): sp.Dummy(f"{a.name}_bar") for a in amplitudes}
+    moduli = {sp.Abs(a): sp.sqrt(a * barred[sp.conjugate(a)]) for a in amplitudes}
     n = len(amplitudes)
     values = {**own, **{a.name: b for a, b in zip(amplitudes, given, strict=True)}}
     values |= {s.name: mpmath.conj(b) for s, b in zip(barred.values(), given, strict=True)}
     whole = [[mpmath.mpf(0)] * (2 * n) for _ in range(2 * n)]
     for j, rate in enumerate(setting.rates.values()):
-        plain = rate.xreplace(barred)
+        plain = rate.xreplace({**barred, **moduli})
         for k, a in enumerate(amplitudes):
             p = exact(plain.diff(a), values)
             q = exact(plain.diff(barred[sp.conjugate(a)]), values)

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 
 from ..ir import fresh
 from .kernels import Option
+from .numpy_target import LINE_LENGTH, wrapped
 
-__all__ = ["gradient_option", "names_tuple"]
+__all__ = ["gradient_option", "wanted"]
 
 
 def gradient_option(names: Sequence[str]) -> Option:
@@ -21,7 +22,20 @@ def gradient_option(names: Sequence[str]) -> Option:
     )
 
 
-def names_tuple(names: Sequence[str]) -> str:
-    """Names as a tuple in Python text."""
-    inner = ", ".join(f'"{name}"' for name in names)
-    return f"({inner}{',' if len(names) == 1 else ''})"
+def wanted(names: Sequence[str], gradient: Option, head: str = "") -> str:
+    """Names where derivatives are wanted, as an argument in Python text.
+
+    Parameters
+    ----------
+    names : sequence of str
+        Of the parameters.
+    gradient : Option
+    head : str
+        What stands before it, such as ``names=``.
+    """
+    texts = [f'"{name}"' for name in names]
+    line = f"{head}({', '.join(texts)}{',' if len(texts) == 1 else ''}) if {gradient.name} else ()"
+    if len(line) + 9 <= LINE_LENGTH:
+        return line
+    rows = "\n".join(wrapped(texts, 12))
+    return f"{head}(\n{rows}\n        )\n        if {gradient.name}\n        else ()"

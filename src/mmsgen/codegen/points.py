@@ -141,7 +141,7 @@ def speed_points_of(setting: Setting, function: EmittedFunction) -> list[dict[st
         chosen: dict[str, Any] | None = None
         for values in islice(_assignments(setting, function.arguments, i), 24):
             first = first or values
-            if not function.kernels:
+            if not function.kernels or function.reference is None:
                 break
             if all(mpmath.isfinite(v) for v in function.reference(values).values):
                 chosen = values

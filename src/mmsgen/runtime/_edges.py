@@ -43,7 +43,8 @@ def zone(*criteria: Any, reach: Any = np.inf) -> tuple[Any, Any]:
     """
     plain = [_where_first_vanishes(*c) if isinstance(c[0], tuple) else c for c in criteria]
     if any(isinstance(c, Dual) for polynomial in plain for c in polynomial):
-        return zone_slopes(zone(*_values(criteria), reach=_values(reach)), plain)
+        first, second = zone_slopes(zone(*_values(criteria), reach=_values(reach)), plain)
+        return first, second
     numbers = [reach, *(c for polynomial in plain for c in polynomial)]
     table = stacked([np.asarray(c, dtype=np.float64) for c in numbers])
     shape, flat = table.shape[:-1], table.reshape(-1, table.shape[-1])

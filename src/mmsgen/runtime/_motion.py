@@ -60,13 +60,13 @@ class Slow(NamedTuple):
     flow : Flow
     kernel : callable
         Fills the coefficients of its terms.
-    count : int
+    taken : int
         How many of the arguments, the first ones, it takes.
     """
 
     flow: Flow
     kernel: Kernel
-    count: int
+    taken: int
 
 
 def response_at(
@@ -117,10 +117,11 @@ def response_at(
     columns = checked_amplitudes(amplitudes, motion.n, missing=True)
     highest = _checked_order(order, motion)
     size = len(motion.terms) + motion.n + motion.phasors
+    slopes: Any = ()
     if names:
         table, slopes = array_slopes(kernel, arguments, size)
     else:
-        table, slopes = evaluate_array(kernel, arguments, (size,)), np.zeros((0, size))
+        table = evaluate_array(kernel, arguments, (size,))
     moving = columns if drift is None else _drifted(columns, times, drift, behind)
     _demand_common_shape(times, moving[0], table[..., 0])
     with np.errstate(all="ignore"):
@@ -220,7 +221,7 @@ def _slowness(
     """The largest term of the slow flow over frequency and amplitude; zero if that is linear."""
     if slow is None:
         return 0.0
-    c = evaluate_array(slow.kernel, arguments[: slow.count], (len(slow.flow.terms),))
+    c = evaluate_array(slow.kernel, arguments[: slow.taken], (len(slow.flow.terms),))
     sizes = [np.abs(b).astype(np.complex128) for b in columns]
     whole = np.max(np.broadcast_arrays(*(b.real for b in sizes)), axis=0)
     worst = 0.0

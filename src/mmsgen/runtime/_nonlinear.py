@@ -58,6 +58,11 @@ def _points(flow: Flow, amplitudes: ArrayLike, c: NDArray[Any]) -> NDArray[np.co
     return b
 
 
+def _missing(b: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which points are not there."""
+    return np.asarray(np.isnan(b).any(axis=-1))
+
+
 def drift_of(flow: Flow, c: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64]:
     """Rates along the symmetries that leave least of the motion, shape (..., symmetries).
 
@@ -70,7 +75,7 @@ def drift_of(flow: Flow, c: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64
     b = np.broadcast_to(b, speed.shape)
     normal = np.einsum("aj,bj,...j->...ab", k, k, np.abs(b) ** 2)
     right = np.einsum("aj,...j->...a", k, (b.conj() * speed).imag)
-    known = np.isfinite(normal).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1)
+    known = np.asarray(np.isfinite(normal).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1))
     inverse = np.linalg.pinv(np.where(known[..., None, None], normal, 0.0), hermitian=True)
     found = np.einsum("...ab,...b->...a", inverse, np.where(known[..., None], right, 0.0))
     return np.where(known[..., None], found, np.nan)
@@ -101,8 +106,7 @@ def jacobian_at(
         b = _points(flow, amplitudes, c)
         drift = drift_of(flow, c, b) if flow.symmetries else None
         found = jacobian(flow, c, b, drift)
-    lost = np.isnan(b).any(axis=-1)[..., None, None]
-    return np.where(lost, np.nan, found)
+    return np.where(_missing(b)[..., None, None], np.nan, found)
 
 
 def stability_at(
@@ -124,7 +128,7 @@ def stability_at(
         c = coefficients_at(flow, kernel, arguments)
         b = _points(flow, amplitudes, c)
         drift = drift_of(flow, c, b) if flow.symmetries else None
-        lost = np.isnan(b).any(axis=-1)[..., None]
+        lost = _missing(b)[..., None]
         found = spectrum(flow, c, np.where(lost, 1.0, b), drift)
     return np.where(lost, complex(np.nan, np.nan), found)
 
@@ -178,10 +182,10 @@ def slopes_of(
 
 def _inverse(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
     """Inverses, NaN where there is none."""
-    finite = np.isfinite(matrices).all(axis=(-2, -1))
+    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
     unit = np.eye(matrices.shape[-1])
     plain = np.where(finite[..., None, None], matrices, unit)
-    regular = finite & (np.linalg.slogdet(plain)[0] != 0.0)
+    regular = np.asarray(finite & (np.linalg.slogdet(plain)[0] != 0.0))
     found = np.linalg.inv(np.where(regular[..., None, None], plain, unit))
     return np.where(regular[..., None, None], found, np.nan)
 
@@ -192,7 +196,7 @@ def _bordered(
     """The Jacobian by u_1, v_1, … and ρ_1, …, with a row for each phase that is fixed."""
     n, g = flow.n, len(flow.symmetries)
     inner = jacobian(flow, c, b, drift if g else None)
-    inner = np.where(np.isnan(b).any(axis=-1)[..., None, None], np.nan, inner)
+    inner = np.where(_missing(b)[..., None, None], np.nan, inner)
     if not g:
         return inner
     whole = np.zeros((*inner.shape[:-2], 2 * n + g, 2 * n + g))
