@@ -17,8 +17,8 @@ from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
 from .modal import modes_function
 from .model_module import PACKAGE_TEXT, model_text
-from .motion import motion_function
 from .modulation import modulation_function
+from .motion import motion_function
 from .naming import check_module_name
 from .nonlinear import COEFFICIENTS, TABLE, flow_functions
 from .reference import reference_text

@@ -106,7 +106,7 @@ def _order_option(name: str, top: int) -> Option:
         "int | None",
         "None",
         "int, optional",
-        f"The highest power of ε of the harmonics that are summed, from 0 to {top}; all by default.",
+        f"The highest power of ε of the harmonics that are summed, 0 to {top}; all by default.",
     )
 
 
