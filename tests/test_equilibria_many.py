@@ -202,6 +202,16 @@ def test_no_finite_coefficient() -> None:
     assert equilibria_of_many(flow, np.tile(c, (2, 3, 1))).amplitudes.shape == (2, 3, 3, 2)
 
 
+def test_a_force_that_vanishes() -> None:
+    flow, c = saturating(0.05, -0.03, 0.2)
+    resting = c.copy()
+    resting[flow.terms.index((1, (0,) * 6))] = 0.0
+    found = equilibria_of_many(flow, np.stack([c, resting]))
+    assert found.number.tolist() == [3, 1]
+    assert found.amplitudes[1, 0].tolist() == [0, 0]
+    assert found.growth[1, 0] == pytest.approx(-0.02, abs=1e-15)  # exact but for a rounding
+
+
 def test_families_are_left_out() -> None:
     """Undamped free oscillators have curves of equilibria beside the one at rest."""
     flow = FLOWS["1:2 free"]

@@ -160,9 +160,7 @@ class Emission:
         return dict(sorted(files.items()))
 
 
-def publish(
-    emission: Emission | None = None, figures: Mapping[str, Any] | None = None
-) -> str:
+def publish(emission: Emission | None = None, figures: Mapping[str, Any] | None = None) -> str:
     """Hand an emission over to the pipeline, if one is listening.
 
     Parameters

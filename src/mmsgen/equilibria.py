@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from .amplitude_flow import AmplitudeFlow
-from .errors import ExpansionError, MmsgenError
+from .errors import MmsgenError
+from .runtime._many_amplitudes import equilibria_of_many
 from .runtime._one_amplitude import equilibria_of_one
 from .runtime._records import Equilibria
 
@@ -33,10 +34,9 @@ def equilibria(table: AmplitudeFlow, values: Mapping[str, Any]) -> Equilibria:
         If a value is missing; if the equilibria are not isolated, as those of an undamped free
         oscillator.
     """
-    if table.flow.n > 1:
-        raise ExpansionError("equilibria of more than one amplitude are not implemented")
+    solver = equilibria_of_one if table.flow.n == 1 else equilibria_of_many
     try:
-        return equilibria_of_one(table.flow, table.numbers(values))
+        return solver(table.flow, table.numbers(values))
     except MmsgenError:
         raise
     except ValueError as error:

@@ -142,9 +142,7 @@ def _description(setting: Setting, drifts: bool) -> str:
 
 
 def _constant(motion: UniformMotion) -> Constant:
-    rows = [
-        f"({t.order}, {t.coordinate}, {t.exponents}, {t.harmonics})" for t in motion.terms
-    ]
+    rows = [f"({t.order}, {t.coordinate}, {t.exponents}, {t.harmonics})" for t in motion.terms]
     inner = "\n".join(wrapped(rows, 8))
     items = (f"{motion.n}", f"(\n{inner}\n    )", f"{len(motion.frequencies) - motion.n}")
     return Constant("_MOTION", "Motion", items, "harmonics: order, coordinate, powers, multiples")

@@ -21,6 +21,8 @@ from ._starts import generic_solutions
 from ._systems import System, equilibrium_system, patterns
 
 if TYPE_CHECKING:
+    from collections.abc import Iterator
+
     from numpy.typing import NDArray
 
 __all__ = ["equilibria_of_many", "generic_counts"]
@@ -73,25 +75,44 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     c = np.asarray(coefficients, dtype=np.complex128)
     shape, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
     finite = np.flatnonzero(np.isfinite(flat).all(axis=-1))
+    found = []
+    for rows, own, columns in _groups(flow, flat, finite):
+        for active in patterns(own):
+            found.append(_with_active(own, active, flat[:, columns], rows))
     g = len(flow.symmetries)
-    places, points, drifts = [finite[:0]], [np.zeros((0, flow.n), complex)], [np.zeros((0, g))]
-    for active in patterns(flow):
-        if not active:
-            rows, b, drift = finite, np.zeros((len(finite), flow.n)), np.zeros((len(finite), g))
-        else:
-            rows, b, drift = _with_active(flow, active, flat, finite)
-        places.append(rows)
-        points.append(b.astype(np.complex128))
-        drifts.append(drift)
-    return _arranged(
-        flow, flat, shape, np.concatenate(places), np.concatenate(points), np.concatenate(drifts)
-    )
+    found.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
+    rows, b, drift = (np.concatenate(x) for x in zip(*found, strict=True))
+    return _arranged(flow, flat, shape, rows, b, drift)
+
+
+def _groups(
+    flow: Flow, flat: NDArray[Any], finite: NDArray[np.int64]
+) -> Iterator[tuple[NDArray[np.int64], Flow, list[int]]]:
+    """Rows together in which the same amplitudes can be zero, and the terms that count there.
+
+    A force that vanishes at some points leaves amplitudes at rest there that it moves elsewhere.
+    """
+    usual = patterns(flow)
+    every = list(range(len(flow.terms)))
+    present = flat[finite] != 0.0
+    kinds, index = np.unique(present, axis=0, return_inverse=True)
+    reduced = []
+    for kind in kinds:
+        columns = [m for m in every if kind[m]]
+        own = flow._replace(terms=tuple(flow.terms[m] for m in columns))
+        reduced.append((flow, every) if patterns(own) == usual else (own, columns))
+    for choice in dict.fromkeys((own, tuple(columns)) for own, columns in reduced):
+        same = [(own, tuple(columns)) == choice for own, columns in reduced]
+        yield finite[np.array(same)[index.ravel()]], choice[0], list(choice[1])
 
 
 def _with_active(
     flow: Flow, active: tuple[int, ...], flat: NDArray[Any], finite: NDArray[np.int64]
 ) -> tuple[NDArray[np.int64], NDArray[Any], NDArray[np.float64]]:
     """Equilibria with given amplitudes other than zero: their points, amplitudes and drifts."""
+    g = len(flow.symmetries)
+    if not active:
+        return finite, np.zeros((len(finite), flow.n), complex), np.zeros((len(finite), g))
     system, place = equilibrium_system(flow, active), chart(flow, active)
     base, start = generic_solutions(system.terms, system.d, system.logs)
     found: list[tuple[Any, Any, Any]] = []
@@ -108,7 +129,6 @@ def _with_active(
         b, turns = _in_chart(place, b, rate)
         b, turns = polish(place, own, b, turns)
         found.append((rows[which], b, turns))
-    g = len(flow.symmetries)
     if not found:
         return finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))
     rows, b, turns = (np.concatenate(x) for x in zip(*found, strict=True))

@@ -175,9 +175,7 @@ def slopes_of(
         inverse = _inverse(matrix)
         moved = np.einsum("...ij,...j->...i", inverse, right)
     speed = (moved[..., 0 : 2 * flow.n : 2] + 1j * moved[..., 1 : 2 * flow.n : 2]) / 2.0
-    return {
-        name: Slopes(speed[i], moved[i, ..., 2 * flow.n :]) for i, name in enumerate(names)
-    }
+    return {name: Slopes(speed[i], moved[i, ..., 2 * flow.n :]) for i, name in enumerate(names)}
 
 
 def _inverse(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
