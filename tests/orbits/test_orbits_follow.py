@@ -55,6 +55,23 @@ def test_at_a_fold_a_multiplier_is_one() -> None:
         assert special.orbit.problem.values["Omega"] == special.value
 
 
+def test_a_fold_is_found_from_a_guess() -> None:
+    # What the path finds, from a rough guess by the slow flow: fundamental and phase alone.
+    values = {"mu": 0.05, "alpha": 0.1, "K": 0.3, "Omega": 0.9}
+    orbit = forced(values)
+    for known in mg.orbits.follow(orbit.problem, orbit, "Omega", 1.5).folds:
+        (c,) = known.orbit.harmonics([1])[:1, 0]
+        speed = known.value + 0.01
+        found = mg.orbits.fold(
+            orbit.problem.at("Omega", speed),
+            lambda s, c=c, w=speed: [1.9 * (c * np.exp(1j * w * s)).real],
+            lambda s, c=c, w=speed: [(c * np.exp(1j * w * s)).real],
+            "Omega",
+            0.2,
+        )
+        assert abs(found.value - known.value) < 1e-10 + known.error + found.error
+
+
 def test_neimark_sacker_where_the_damping_vanishes() -> None:
     # Liouville: the product of a complex pair is e^{-2μT}, which is 1 at μ = 0 and nowhere else.
     orbit = forced({"mu": 0.05, "alpha": 0.1, "K": 0.2, "Omega": 0.6})

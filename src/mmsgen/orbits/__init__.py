@@ -12,6 +12,7 @@ Kuznetsov, *Elements of Applied Bifurcation Theory* (2004).
 
 from .fields import Autonomous, Problem, autonomous
 from .finding import find, settle
+from .folds import fold
 from .following import Path, follow
 from .mechanical import Mechanical, problem
 from .records import PeriodicOrbit
@@ -26,6 +27,7 @@ __all__ = [
     "Special",
     "autonomous",
     "find",
+    "fold",
     "follow",
     "problem",
     "settle",

@@ -15,7 +15,7 @@ from .collocation import Curve, Linearised, Setting, newton, sampled, scale_of, 
 from .fields import Problem
 from .records import PeriodicOrbit, orbit_of
 
-__all__ = ["Guess", "Resolved", "find", "resolved", "settle"]
+__all__ = ["Guess", "Resolved", "curve_of", "find", "resolved", "settle"]
 
 Guess: TypeAlias = Callable[[Floats], Any] | PeriodicOrbit | Any
 
@@ -148,14 +148,7 @@ def find(
     OrbitError
         If none is found, or orbits are not isolated, as in a conservative system.
     """
-    if not isinstance(problem, Problem):
-        raise OrbitError(
-            f"a problem is needed, got {problem!r}: mg.orbits.problem(eom, values) makes one"
-        )
-    if not (isinstance(periods, int) and periods >= 1):
-        raise OrbitError(f"periods must be a whole number, at least 1, got {periods!r}")
-    frequency = _frequency(problem, guess, period, periods)
-    start = _start(problem, guess, frequency)
+    start = curve_of(problem, guess, period, periods)
     last: OrbitError | None = None
     for _ in range(3):
         try:
@@ -165,6 +158,17 @@ def find(
             last = error
             start = start.refined(2 * start.intervals)
     raise last if last is not None else OrbitError("no periodic orbit is found")
+
+
+def curve_of(problem: Problem, guess: Guess, period: float | None, periods: int) -> Curve:
+    """The guess on the first resolution, see `find`."""
+    if not isinstance(problem, Problem):
+        raise OrbitError(
+            f"a problem is needed, got {problem!r}: mg.orbits.problem(eom, values) makes one"
+        )
+    if not (isinstance(periods, int) and periods >= 1):
+        raise OrbitError(f"periods must be a whole number, at least 1, got {periods!r}")
+    return _start(problem, guess, _frequency(problem, guess, period, periods))
 
 
 def _frequency(problem: Problem, guess: Guess, period: float | None, periods: int) -> float:
