@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from .certify import certify
     from .codegen import generate
     from .emission import Emission, publish
+    from .steady import Steady
 
 __all__ = [
     "Certificate",
@@ -70,6 +71,7 @@ __all__ = [
     "ScaledSystem",
     "ScalingError",
     "SlowFlow",
+    "Steady",
     "__version__",
     "certify",
     "conventions",
@@ -84,6 +86,7 @@ __all__ = [
 _LATER = {
     "Certificate": "certificate",
     "Emission": "emission",
+    "Steady": "steady",
     "certify": "certify",
     "generate": "codegen",
     "publish": "emission",

@@ -93,6 +93,10 @@ class Fit:
         Fitted to the resolved errors of the smallest ε, log e = log C + p log ε + dε.
     limit : float
         Errors below this one take no part, whatever the floors.
+    place : tuple of (str, float)
+        Values at ε = 1 where they are not those of the certificate: of a steady motion.
+    near : tuple of complex
+        Amplitudes at ε = 1 near which that motion is.
     """
 
     quantity: str
@@ -102,6 +106,8 @@ class Fit:
     floors: tuple[float, ...]
     exponent: float
     limit: float = SMALLEST
+    place: tuple[tuple[str, float], ...] = ()
+    near: tuple[complex, ...] = ()
 
     @property
     def resolved(self) -> tuple[bool, ...]:
@@ -119,8 +125,13 @@ class Fit:
 
         The floors are estimates, of which the last bits differ between machines.
         """
+        own: dict[str, Any] = {}
+        if self.place:
+            own["values"] = {name: repr(v) for name, v in self.place}
+            own["amplitudes"] = [f"{b.real:g}{b.imag:+g}i" for b in self.near]
         return {
             "quantity": self.quantity,
+            **own,
             "theory": self.theory,
             "fitted": f"{self.exponent:.2f}",
             "passed": self.passed,

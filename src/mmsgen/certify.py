@@ -24,11 +24,13 @@ from .loading import load
 from .motion import RTOL, exact_motion, first_order_system, reconstruction, slow_motion
 from .numeric import Evaluator
 from .sampling import scaled_values
+from .steady import Steady
+from .steady_fits import steady_fits
 
 if TYPE_CHECKING:
     from .expansion import Expansion
 
-__all__ = ["EDGE_EPSILONS", "EPSILONS", "certify", "scaled_values"]
+__all__ = ["EDGE_EPSILONS", "EPSILONS", "Steady", "certify", "scaled_values"]
 
 EPSILONS = tuple(2.0**-k for k in range(3, 15))
 """The default range of ε: so small at its end that an error of a thousandth in a coefficient of the
@@ -69,6 +71,7 @@ def certify(
     numbers: Mapping[Any, Any] | None = None,
     amplitudes: Sequence[complex] | None = None,
     span: float = 1.0,
+    steady: Sequence[Steady] = (),
 ) -> Certificate:
     """Compare the emitted functions of a case with Floquet theory as ε → 0.
 
@@ -92,6 +95,8 @@ def certify(
         Starting values of B_j at ε = 1, where the slow flow is nonlinear or the system is forced.
     span : float
         Time over which motions are compared, in s, at ε = 1; it grows like 1/ε.
+    steady : sequence of Steady, optional
+        Equilibria and saddle-nodes that are compared with periodic orbits and their folds.
 
     Returns
     -------
@@ -122,9 +127,11 @@ def certify(
             if _has_zone(case, module, floats):
                 steps = epsilons or EDGE_EPSILONS
                 fits.append(_resolved(_edge_fit, case, module, floats, steps, epsilons))
+        for own in steady:
+            fits += steady_fits(case, module, own, epsilons)
         if linear and all(f.passed for f in fits):
             demand_agreement(case, module, scaled_values(case, floats, 1.0)[0])
-        if numbers and len(fits) > 1:
+        if numbers and any(f.quantity == "edges of the zone" for f in fits):
             zones = _zones_at(case, module, numbers)
     except (CertificateError, FloquetError) as error:
         name = title(case) if case.relations else "without resonance"

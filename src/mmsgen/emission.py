@@ -22,6 +22,7 @@ from .errors import CertificateError
 from .files import write_atomically
 from .keeping import certificate_key, kept
 from .loading import load_files
+from .steady import Steady
 
 if TYPE_CHECKING:
     from .expansion import Expansion
@@ -55,6 +56,8 @@ class Emission:
     amplitudes : callable, optional
         Case → starting values of B_j at ε = 1 and the time in s over which its motions are compared
         with exact ones, for cases with a nonlinear slow flow; see `certify`.
+    steady : callable, optional
+        Case → steady motions to be compared with periodic orbits, none or several; see `certify`.
     """
 
     model: str
@@ -64,6 +67,7 @@ class Emission:
     derivation: str = ""
     source: str = ""
     amplitudes: Callable[[Expansion], tuple[Sequence[complex], float]] | None = None
+    steady: Callable[[Expansion], Sequence[Steady]] | None = None
 
     def _render(self, cases: Sequence[Expansion]) -> dict[str, str]:
         return render(cases, model=self.model, derivation=self.derivation, source=self.source)
@@ -104,6 +108,8 @@ class Emission:
         texts["scaling"] = str(case.weak.scaled.orders)
         start, span = (None, 1.0) if self.amplitudes is None else self.amplitudes(case)
         texts["motions"] = f"{start} {span}"
+        steady = () if self.steady is None else tuple(self.steady(case))
+        texts["steady"] = str(steady) if steady else ""
         key = certificate_key(texts, samples, numbers)
         return kept(
             folder,
@@ -115,6 +121,7 @@ class Emission:
                 numbers=numbers,
                 amplitudes=start,
                 span=span,
+                steady=steady,
             ),
         )
 

@@ -64,8 +64,14 @@ def kept(folder: Path | None, key: str, make: Callable[[], Certificate]) -> Cert
     if path.is_file():
         return _read(json.loads(path.read_text(encoding="utf-8")))
     certificate = make()
-    write_atomically(path, json.dumps(asdict(certificate), ensure_ascii=False))
+    text = json.dumps(asdict(certificate), ensure_ascii=False, default=_pair)
+    write_atomically(path, text)
     return certificate
+
+
+def _pair(number: complex) -> tuple[float, float]:
+    """A complex number, of which JSON knows nothing."""
+    return number.real, number.imag
 
 
 def _read(data: dict) -> Certificate:  # type: ignore[type-arg]
@@ -79,6 +85,8 @@ def _read(data: dict) -> Certificate:  # type: ignore[type-arg]
             tuple(f["floors"]),
             f["exponent"],
             f["limit"],
+            tuple((str(name), float(value)) for name, value in f["place"]),
+            tuple(complex(*b) for b in f["near"]),
         )
         for f in data["fits"]
     )
