@@ -174,8 +174,12 @@ def leading(point: Mapping[str, Any]) -> list[Any]:
 
 
 def calls(name: str) -> Iterator[tuple[str, dict[str, float], Any, list[Any], list[Any]]]:
+    """`stored` of one of `CASES`."""
+    return stored(emitted(name))
+
+
+def stored(one: Emitted) -> Iterator[tuple[str, dict[str, float], Any, list[Any], list[Any]]]:
     """Every stored point: function, arguments, emitted result (flat), values, error bounds."""
-    one = emitted(name)
     for function, points in one.reference["functions"].items():
         for point in points:
             arguments = point["arguments"]

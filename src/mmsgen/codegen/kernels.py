@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any
 
+from .. import runtime
 from ..ir import IR
 from ..parameters import Parameter
 
@@ -30,7 +32,9 @@ RUNTIME = {
     "modal_values": "_eigenmodes",
     "Flow": "_flow",
     **dict.fromkeys(("Motion", "response_at"), "_motion"),
-    **dict.fromkeys(("jacobian_at", "stability_at"), "_nonlinear"),
+    **dict.fromkeys(("equilibria_at", "jacobian_at", "stability_at"), "_nonlinear"),
+    "equilibria_of_one": "_one_amplitude",
+    "equilibria_of_many": "_many_amplitudes",
     **dict.fromkeys(
         (
             "checked",
@@ -53,7 +57,7 @@ RUNTIME = {
 
 
 #: modules of `mmsgen.runtime` that every emitted package holds
-SHARED = ("_dual", "_edges", "_eigenmodes", "_flow", "_motion", "_nonlinear", "_runtime")
+SHARED = tuple(sorted(path.stem for path in Path(runtime.__file__).parent.glob("_[!_]*.py")))
 
 #: where a point holds the amplitudes, and the time: no parameter can have these names
 AMPLITUDES, TIME = "(amplitudes)", "(time)"

@@ -7,6 +7,7 @@ coefficients.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import reduce
 from operator import mul
 from typing import Any
@@ -16,8 +17,9 @@ import sympy as sp
 
 from ..ir import compute_ir, fresh
 from .exact import exact
-from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Reference, called
+from .kernels import AMPLITUDES, SHARED, Constant, EmittedFunction, Kernel, Reference, called
 from .numpy_target import wrapped
+from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
@@ -29,7 +31,13 @@ TABLE, COEFFICIENTS = "_FLOW", "_coefficients"
 
 def flow_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
     """What is emitted for an autonomous nonlinear slow flow besides its right-hand side."""
-    return (_jacobian_function(setting), _stability_function(setting))
+    kernel, out = _kernel(setting)
+    first, *others = (
+        *((_equilibria_function(setting),) if _solvable(setting) else ()),
+        _jacobian_function(setting, kernel, out),
+        _stability_function(setting),
+    )
+    return (replace(first, kernels=(kernel,), constants=(_constant(setting),)), *others)
 
 
 def _kernel(setting: Setting) -> tuple[Kernel, str]:
@@ -55,8 +63,49 @@ def _leading(setting: Setting) -> tuple[tuple[str, str], ...]:
     return ((name, f"Shape (..., {n}), in the order of COORDINATES; NaN gives NaN."),)
 
 
-def _jacobian_function(setting: Setting) -> EmittedFunction:
-    kernel, out = _kernel(setting)
+def _solvable(setting: Setting) -> bool:
+    """Whether there is a solver for so many amplitudes."""
+    return len(setting.coordinates) == 1 or "_many_amplitudes" in SHARED
+
+
+def _equilibria_function(setting: Setting) -> EmittedFunction:
+    names, n = [p.name for p in setting.parameters], len(setting.coordinates)
+    gradient = gradient_option(names)
+    solver = "equilibria_of_one" if n == 1 else "equilibria_of_many"
+    items = [f"{{{solver}}}", f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}"]
+    items.append(wanted(names, gradient))
+    symmetries = setting.flow.table.flow.symmetries
+    text = (
+        "Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many "
+        "as there are, those that are missing at a point NaN."
+    )
+    if symmetries:
+        text += (
+            " B_j exp(i k_j θ) moves along a circle of further ones for k = "
+            f"{', '.join(map(str, symmetries))}; of each circle one point is given, and the rate "
+            "at which it drifts, B_j exp(i k_j ρ t)."
+        )
+    return EmittedFunction(
+        name="equilibria",
+        arguments=setting.parameters,
+        body=called("{equilibria_at}", items),
+        returns="Any",
+        summary="All equilibria of the slow flow, with their stability.",
+        description=text,
+        result=(
+            f"The arrays amplitudes (..., count, {n}), drift (..., count, {len(symmetries)}) in "
+            "rad/s and growth (..., count) in 1/s, which is negative where an equilibrium is "
+            "stable. With gradient also name -> derivatives of amplitudes and drift, without "
+            "finite values where equilibria meet."
+        ),
+        reference=None,
+        uses=("equilibria_at", solver),
+        options=(gradient,),
+        kind="Equilibria",
+    )
+
+
+def _jacobian_function(setting: Setting, kernel: Kernel, out: str) -> EmittedFunction:
     n, leading = len(setting.coordinates), _leading(setting)
     items = [f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}", leading[0][0]]
     free = bool(setting.flow.table.flow.symmetries)
@@ -76,10 +125,8 @@ def _jacobian_function(setting: Setting) -> EmittedFunction:
         description="In the frame of `slow_flow`" + (_DRIFTING if free else "") + ".",
         result=f"Shape (..., {2 * n}, {2 * n}), in 1/s, rows and columns u_1, v_1, u_2, …",
         reference=None if free else reference,
-        kernels=(kernel,),
         uses=("jacobian_at",),
         leading=leading,
-        constants=(_constant(setting),),
     )
 
 

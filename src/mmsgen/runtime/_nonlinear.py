@@ -14,12 +14,13 @@ import numpy as np
 
 from ._dual import array_slopes
 from ._flow import Flow, jacobian, rates, spectrum
+from ._records import Equilibria
 from ._runtime import checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Slopes", "drift_of", "jacobian_at", "slopes_of", "stability_at"]
+__all__ = ["Slopes", "drift_of", "equilibria_at", "jacobian_at", "slopes_of", "stability_at"]
 
 Kernel = Callable[..., Any]
 Arguments = Sequence["NDArray[np.float64]"]
@@ -133,7 +134,37 @@ def stability_at(
     return np.where(lost, complex(np.nan, np.nan), found)
 
 
-# --- how equilibria move with the parameters ------------------------------------------------------
+# --- equilibria, and how they move with the parameters --------------------------------------------
+
+
+def equilibria_at(
+    solve: Callable[[Flow, Any], Equilibria],
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    names: Sequence[str],
+) -> Any:
+    """All equilibria; with names also their derivatives.
+
+    Parameters
+    ----------
+    solve : callable
+        Terms and coefficients → equilibria.
+    flow, kernel, arguments
+        As for `jacobian_at`.
+    names : sequence of str
+        Of the arguments; empty where no derivatives are wanted.
+
+    Returns
+    -------
+    Equilibria, or (Equilibria, dict)
+        The dictionary is name → `Slopes`.
+    """
+    with np.errstate(all="ignore"):
+        found = solve(flow, coefficients_at(flow, kernel, arguments))
+    if not names:
+        return found
+    return found, slopes_of(flow, kernel, arguments, names, found.amplitudes, found.drift)
 
 
 def slopes_of(

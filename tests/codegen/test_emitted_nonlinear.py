@@ -1,0 +1,220 @@
+"""Emitted functions of nonlinear slow flows: equilibria, stability, and how both move."""
+
+from __future__ import annotations
+
+import ast
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from codegen_systems import stored
+from nonlinear_systems import CASES, functions, nonlinear
+
+NUMBERS = {
+    "sigma": 0.21,
+    "sigma_1": 0.03,
+    "sigma_2": 0.02,
+    "alpha": 0.3,
+    "k": 0.25,
+    "mu": 0.03,
+    "nu": 0.05,
+    "omega": 1.3,
+    "omega_1": 1.1,
+    "K": 1.7,
+    "Omega": 5.1,
+}
+
+SOLVED = [name for name in CASES if hasattr(functions(name), "equilibria")]
+ISOLATED = [name for name in SOLVED if not name.startswith("free")]
+ONE = [name for name in ISOLATED if len(functions(name).COORDINATES) == 1]
+
+
+def values(name: str, function: str = "equilibria") -> dict[str, float]:
+    text = getattr(functions(name), function).__kwdefaults__ or {}
+    code = getattr(functions(name), function).__code__
+    names = code.co_varnames[code.co_argcount :][: code.co_kwonlyargcount]
+    return {n: NUMBERS[n] for n in names if n not in text}
+
+
+# --- reference values -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_within_the_bound_of_the_running_error_analysis(name: str) -> None:
+    functions_seen = set()
+    with mpmath.workdps(30):
+        for function, arguments, result, exact, errors in stored(nonlinear(name)):
+            functions_seen.add(function)
+            for got, value, error in zip(result, exact, errors, strict=True):
+                off = abs(mpmath.mpmathify(got) - value)
+                assert off <= error, (function, arguments, got)
+    assert {"slow_flow", "response"} <= functions_seen
+
+
+# --- stability ------------------------------------------------------------------------------------
+
+
+def points(name: str) -> Any:
+    n = len(functions(name).COORDINATES)
+    return (np.arange(1, n + 1) - 0.4j) * np.array([[0.5], [0.7 + 0.2j]])
+
+
+@pytest.mark.parametrize("name", [n for n in CASES if n not in ("free1", "free2", "free3")])
+def test_the_jacobian_is_the_derivative_of_the_slow_flow(name: str) -> None:
+    """In a frame that turns at the drift, where there is a symmetry."""
+    module, given = functions(name), values(name, "jacobian")
+    b = points(name)
+    flow = module._FLOW
+    rates = module.slow_flow(b, **given)
+    turn = np.zeros(b.shape)
+    if flow.symmetries:
+        (k,) = np.array(flow.symmetries)
+        weight = (k**2 * np.abs(b) ** 2).sum(-1)
+        turn = ((k * b.conj() * rates).imag.sum(-1) / weight)[:, None] * k
+    h = 1e-5
+    found = module.jacobian(b, **given)
+    for column in range(2 * b.shape[-1]):
+        step = np.zeros(b.shape[-1], dtype=complex)
+        step[column // 2] = h / 2 * (1j if column % 2 else 1)
+
+        def moved(c: Any) -> Any:
+            return module.slow_flow(c, **given) - 1j * turn * c
+
+        slope = 2 * (moved(b + step) - moved(b - step)) / (2 * h)
+        wanted = np.stack([slope.real, slope.imag], -1).reshape(len(b), -1)
+        # h² of the third derivatives, which are below 10, and 1e-16/h of rounding.
+        assert found[..., column] == pytest.approx(wanted, abs=2e-9)
+
+
+@pytest.mark.parametrize("name", ISOLATED)
+def test_stability_at_equilibria_is_what_they_say(name: str) -> None:
+    module, given = functions(name), values(name)
+    found = module.equilibria(**given)
+    eigenvalues = module.stability(found.amplitudes, **given)
+    assert eigenvalues.shape == (*found.growth.shape, 2 * len(module.COORDINATES))
+    size = np.nanmax(np.abs(eigenvalues))
+    # Eigenvalues of a matrix of this size, and the square root of the precision near a double one.
+    assert eigenvalues[..., 0].real == pytest.approx(found.growth, abs=1e-7 * size, nan_ok=True)
+
+
+def test_what_is_missing_is_missing() -> None:
+    module, given = functions("primary1"), values("primary1")
+    b = np.array([[np.nan], [0.3]])
+    assert np.isnan(module.stability(b, **given)).tolist() == [[True, True], [False, False]]
+    assert np.isnan(module.jacobian(b, **given)).all(axis=(-2, -1)).tolist() == [True, False]
+    with pytest.raises(ValueError, match="amplitudes must be finite"):
+        module.stability([np.inf], **given)
+    with pytest.raises(ValueError, match="shapes that do not broadcast together: amplitudes"):
+        module.jacobian(np.ones((3, 1)), **{**given, "mu": np.ones(2)})
+    with pytest.raises(ValueError, match="mu must be finite and not negative"):
+        module.stability(b, **{**given, "mu": -1.0})
+
+
+# --- equilibria -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ISOLATED)
+def test_equilibria_stay_at_rest_or_drift(name: str) -> None:
+    module, given = functions(name), values(name)
+    found = module.equilibria(**given)
+    rates = module.slow_flow(found.amplitudes, **given)
+    symmetries = np.array(module._FLOW.symmetries).reshape(-1, len(module.COORDINATES))
+    drift = 1j * (found.drift @ symmetries) * found.amplitudes
+    # A few roundings of terms that are below one.
+    assert np.abs(rates - drift).max() < 1e-14
+    engine = nonlinear(name).case.slow_flow.equilibria(given)
+    assert found.amplitudes == pytest.approx(engine.amplitudes, rel=1e-12, abs=1e-12)
+
+
+def test_primary_resonance_in_print() -> None:
+    """Nayfeh and Mook (1979), chapter 4: [μ² + (σ − 3αa²/8ω)²]a² = k²/4ω²."""
+    given = {**values("primary1"), "sigma": np.linspace(-0.4, 0.6, 9)}
+    found = functions("primary1").equilibria(**given)
+    a, sigma = found.modulus[..., 0], given["sigma"][:, None]
+    shift = 3 * NUMBERS["alpha"] * a**2 / (8 * NUMBERS["omega"])
+    left = (NUMBERS["mu"] ** 2 + (sigma - shift) ** 2) * a**2
+    right = NUMBERS["k"] ** 2 / (4 * NUMBERS["omega"] ** 2)
+    there = np.isfinite(a)
+    assert set(there.sum(axis=1)) == {1, 3}
+    # Where (σ − shift)² is a small difference, rounding of a grows by shift/|σ − shift| < 10³.
+    assert left[there] == pytest.approx(np.full(there.sum(), right), rel=1e-12)
+
+
+def test_subharmonic_resonance_in_print() -> None:
+    found = functions("sub").equilibria(sigma=6.0, omega=1.0, alpha=1.0, mu=0.05, K=8.0)
+    sizes = np.unique(np.round(found.modulus[:, 0], 8))
+    assert sizes.tolist() == [0.0, 1.39465604, 2.39198687]
+    assert len(found.modulus) == 7  # zero, and three phases of each
+    assert found.stable[np.round(found.modulus[:, 0], 8) == 2.39198687].all()
+
+
+def test_infinitely_many_equilibria_are_told() -> None:
+    with pytest.raises(ValueError, match="not isolated"):
+        functions("free2").equilibria(alpha=0.1, omega=1.0)
+
+
+# --- how they move --------------------------------------------------------------------------------
+
+
+def scalars(found: Any) -> tuple[Any, Any]:
+    return found.amplitudes, found.drift
+
+
+@pytest.mark.parametrize("name", ISOLATED)
+def test_derivatives_of_equilibria(name: str) -> None:
+    module, given = functions(name), values(name)
+    found, slopes = module.equilibria(**given, gradient=True)
+    assert list(slopes) == list(given)
+    scale = 1.0 + np.abs(found.amplitudes).max()
+    for parameter, number in given.items():
+        h = 1e-4 * abs(number)
+        at = [
+            scalars(module.equilibria(**{**given, parameter: number + k * h}))
+            for k in (-2, -1, 1, 2)
+        ]
+        for own, before, lower, upper, after in zip(slopes[parameter], *at, strict=True):
+            wanted = (before - 8 * lower + 8 * upper - after) / (12 * h)
+            assert own.shape == before.shape
+            # h⁴ of a fifth derivative that may be 10⁶ times as large near a fold; 1e-15/h.
+            assert own == pytest.approx(wanted, rel=1e-7, abs=1e-10 * scale / h * 1e-4)
+
+
+def test_derivatives_are_those_of_the_relation_in_print() -> None:
+    """a(σ) on [μ² + (σ − ca²)²]a² = K²: da/dσ = (ca² − σ)a/(μ² + (σ − ca²)(σ − 3ca²))."""
+    given = {**values("primary1"), "sigma": np.array([-0.3, 0.21, 0.5])}
+    found, slopes = functions("primary1").equilibria(**given, gradient=True)
+    b, a = found.amplitudes[..., 0], found.modulus[..., 0]
+    slope = 4 * (b.conj() * slopes["sigma"].amplitudes[..., 0]).real / a
+    mu, sigma = NUMBERS["mu"], given["sigma"][:, None]
+    shift = 3 * NUMBERS["alpha"] * a**2 / (8 * NUMBERS["omega"])
+    wanted = (shift - sigma) * a / (mu**2 + (sigma - shift) * (sigma - 3 * shift))
+    # Cancellation in the denominator, 10³ at most.
+    assert slope == pytest.approx(wanted, rel=1e-11, nan_ok=True)
+
+
+def test_where_equilibria_meet_there_is_no_derivative() -> None:
+    """Parametric excitation without damping: zero changes its stability at σ = k/ω."""
+    given = {"sigma": [0.5, 0.75], "omega": 1.0, "alpha": 0.3, "k": 0.5, "mu": 0.0}
+    found, slopes = functions("swing").equilibria(**given, gradient=True)
+    at_rest = slopes["sigma"].amplitudes[:, 0, 0]
+    assert (found.amplitudes[:, 0, 0] == 0.0).all()
+    assert not np.isfinite(at_rest[0])
+    assert at_rest[1] == 0.0
+
+
+# --- the text -------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["primary2", "pol", "two"])
+def test_the_table_in_the_text_is_that_of_the_engine(name: str) -> None:
+    module = functions(name)
+    assert module._FLOW == nonlinear(name).case.slow_flow.table.flow
+    tree = ast.parse(nonlinear(name).text)
+    assert ast.get_docstring(tree)
+
+
+def test_what_there_is() -> None:
+    everywhere = {"slow_flow", "response", "jacobian", "stability"}
+    for name in CASES:
+        assert everywhere <= set(functions(name).__all__)
