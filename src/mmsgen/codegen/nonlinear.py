@@ -17,7 +17,7 @@ import sympy as sp
 
 from ..ir import compute_ir, fresh
 from .exact import exact
-from .kernels import AMPLITUDES, SHARED, Constant, EmittedFunction, Kernel, Reference, called
+from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Reference, called
 from .numpy_target import wrapped
 from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
@@ -33,7 +33,7 @@ def flow_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
     """What is emitted for an autonomous nonlinear slow flow besides its right-hand side."""
     kernel, out = _kernel(setting)
     first, *others = (
-        *((_equilibria_function(setting),) if _solvable(setting) else ()),
+        _equilibria_function(setting),
         _jacobian_function(setting, kernel, out),
         _stability_function(setting),
     )
@@ -61,11 +61,6 @@ def _leading(setting: Setting) -> tuple[tuple[str, str], ...]:
     n = len(setting.coordinates)
     name = fresh("amplitudes", [p.name for p in setting.parameters])
     return ((name, f"Shape (..., {n}), in the order of COORDINATES; NaN gives NaN."),)
-
-
-def _solvable(setting: Setting) -> bool:
-    """Whether there is a solver for so many amplitudes."""
-    return len(setting.coordinates) == 1 or "_many_amplitudes" in SHARED
 
 
 def _equilibria_function(setting: Setting) -> EmittedFunction:
