@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from functools import cached_property
+from typing import TYPE_CHECKING, Any, cast
+
+import sympy as sp
 
 from .equilibria import equilibria
+from .response_relation import OneAmplitude, one_amplitude
 from .runtime._records import Equilibria
 
 if TYPE_CHECKING:
     from .amplitude_flow import AmplitudeFlow
+    from .slowflow import SlowFlow
 
 __all__ = ["NonlinearAnswers"]
 
@@ -53,3 +58,78 @@ class NonlinearAnswers:
             free oscillator, for which `backbone` is the answer.
         """
         return equilibria(self.table, self._with_detunings(values))
+
+    # -- formulas for one amplitude ------------------------------------------------------
+
+    @cached_property
+    def _one_amplitude(self) -> OneAmplitude:
+        return one_amplitude(cast("SlowFlow", self))
+
+    def response_relation(self) -> sp.Expr:
+        """The polynomial in a and the parameters that vanishes at equilibria with a > 0.
+
+        The phase is eliminated exactly; powers of a, factors of the parameters alone and factors
+        that have one sign are left out, repeated ones kept once. At order one it vanishes at
+        equilibria and nowhere else. Where the phase occurs with several harmonics, as it does at
+        higher orders, it vanishes at every equilibrium, and possibly also at isolated amplitudes
+        without one: those at which two phases coincide that are not real.
+
+        Returns
+        -------
+        sympy.Expr
+            In a = 2|B|, for a free self-excited oscillator as well; what it has is then a circle.
+
+        Raises
+        ------
+        ExpansionError
+            If there are several amplitudes; if no frame makes the slow flow autonomous; if
+            equilibria fill a curve; if constant phases cannot be turned away.
+        """
+        return self._one_amplitude.relation
+
+    def backbone(self) -> dict[sp.Symbol, sp.Expr]:
+        """The backbone curve of one amplitude.
+
+        It is where the phase stands still by the terms alone that do not depend on it, those of
+        resonant forces left out.
+
+        Returns
+        -------
+        dict
+            {detuning: expression in a}; for a free oscillator {γ: dγ/dt as an expression in a}, the
+            shift of its frequency.
+
+        Raises
+        ------
+        ExpansionError
+            As for `response_relation`; or if the detuning does not follow from a linear equation.
+        """
+        return dict(self._one_amplitude.backbone)
+
+    def bifurcation_equations(self) -> dict[str, tuple[sp.Expr, ...]]:
+        """Equations that hold where equilibria of one amplitude bifurcate.
+
+        Returns
+        -------
+        dict
+            Kind → expressions in a and the parameters that vanish there together:
+
+            "saddle-node"
+                The response relation and its derivative by a.
+            "pitchfork"
+                The determinant of the Jacobian at a = 0, where that is an equilibrium.
+            "Hopf"
+                The response relation and the trace of the Jacobian, as it is there; the
+                determinant has to be positive. Left out where three or more harmonics of the phase
+                are in the way. For a free oscillator the growth rate at a = 0 instead.
+            "Hopf of zero"
+                The trace at a = 0, where that is an equilibrium of an oscillator that is not free.
+
+            Kinds that cannot occur, as expressions of one sign show, are missing.
+
+        Raises
+        ------
+        ExpansionError
+            As for `response_relation`.
+        """
+        return dict(self._one_amplitude.bifurcations)

@@ -24,7 +24,17 @@ from ._flow import Flow
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Polynomial", "Structure", "harmonics", "relation", "structure_of"]
+__all__ = [
+    "Polynomial",
+    "Structure",
+    "added",
+    "harmonics",
+    "multiplied",
+    "phase_quotient",
+    "relation",
+    "resultant",
+    "structure_of",
+]
 
 Polynomial = dict[int, Any]
 """Exponent of r → an array, one coefficient for each point."""
@@ -59,6 +69,7 @@ class Structure(NamedTuple):
 
 @lru_cache(maxsize=256)
 def structure_of(flow: Flow, present: tuple[bool, ...]) -> Structure:
+    """The structure of a flow, from its exponents and which of its terms do not vanish."""
     found = [
         (i, r - s - 1, r + s + t)
         for (i, (_, (r, s, t))), here in zip(enumerate(flow.terms), present, strict=True)
@@ -75,14 +86,16 @@ def structure_of(flow: Flow, present: tuple[bool, ...]) -> Structure:
 # --- polynomials whose coefficients are arrays ----------------------------------------------------
 
 
-def _add(a: Polynomial, b: Polynomial, sign: float = 1.0) -> Polynomial:
+def added(a: Polynomial, b: Polynomial, sign: float = 1.0) -> Polynomial:
+    """a + sign·b."""
     out = dict(a)
     for e, c in b.items():
         out[e] = out[e] + sign * c if e in out else sign * c
     return out
 
 
-def _times(a: Polynomial, b: Polynomial) -> Polynomial:
+def multiplied(a: Polynomial, b: Polynomial) -> Polynomial:
+    """a·b."""
     out: Polynomial = {}
     for i, x in a.items():
         for j, y in b.items():
@@ -105,17 +118,16 @@ def _square(a: Polynomial) -> Polynomial:
     return out
 
 
-def _resultant(f: list[Polynomial]) -> Polynomial:
+def resultant(f: list[Polynomial]) -> Polynomial:
     """The determinant of the Schur–Cohn form, real."""
     d = len(f) - 1
     if d == 1:
-        return _add(_square(f[0]), _square(f[1]), -1.0)
+        return added(_square(f[0]), _square(f[1]), -1.0)
     if d == 2:
-        x = _add(_square(f[0]), _square(f[2]), -1.0)
-        y = _add(_times(_bar(f[0]), f[1]), _times(f[2], _bar(f[1])), -1.0)
-        return _add(_times(x, x), _square(y), -1.0)
+        x, y = _linear_remainder(f)
+        return added(multiplied(x, x), _square(y), -1.0)
     form = [[_entry(f, j, k) for k in range(d)] for j in range(d)]
-    minors: dict[tuple[int, ...], Polynomial] = {(): {0: 1.0}}
+    minors: dict[tuple[int, ...], Polynomial] = {(k,): form[-1][k] for k in range(d)}
 
     def minor(columns: tuple[int, ...]) -> Polynomial:
         """The determinant of the last rows and these columns."""
@@ -124,11 +136,25 @@ def _resultant(f: list[Polynomial]) -> Polynomial:
             total: Polynomial = {}
             for n, k in enumerate(columns):
                 rest = minor(columns[:n] + columns[n + 1 :])
-                total = _add(total, _times(form[row][k], rest), -1.0 if n % 2 else 1.0)
+                total = added(total, multiplied(form[row][k], rest), -1.0 if n % 2 else 1.0)
             minors[columns] = total
         return minors[columns]
 
-    return {e: np.real(c) for e, c in minor(tuple(range(d))).items()}
+    return {e: c.real for e, c in minor(tuple(range(d))).items()}
+
+
+def _linear_remainder(f: list[Polynomial]) -> tuple[Polynomial, Polynomial]:
+    """X + Y w, what is left of f_0 + f_1 w + f_2 w² and its reciprocal when w² is eliminated."""
+    x = added(_square(f[0]), _square(f[2]), -1.0)
+    y = added(multiplied(_bar(f[0]), f[1]), multiplied(f[2], _bar(f[1])), -1.0)
+    return x, y
+
+
+def phase_quotient(f: list[Polynomial]) -> tuple[Polynomial, Polynomial]:
+    """Numerator and real denominator of w on the relation, for d = 1 and 2."""
+    above, below = f if len(f) == 2 else _linear_remainder(f)
+    minus: Polynomial = {e: -1.0 * c for e, c in above.items()}
+    return multiplied(minus, _bar(below)), _square(below)
 
 
 def _entry(f: list[Polynomial], j: int, k: int) -> Polynomial:
@@ -136,8 +162,8 @@ def _entry(f: list[Polynomial], j: int, k: int) -> Polynomial:
     d = len(f) - 1
     out: Polynomial = {}
     for n in range(min(j, k) + 1):
-        out = _add(out, _times(f[j - n], _bar(f[k - n])))
-        out = _add(out, _times(_bar(f[d - j + n]), f[d - k + n]), -1.0)
+        out = added(out, multiplied(f[j - n], _bar(f[k - n])))
+        out = added(out, multiplied(_bar(f[d - j + n]), f[d - k + n]), -1.0)
     return out
 
 
@@ -147,7 +173,7 @@ def relation(structure: Structure, c: NDArray[np.complex128]) -> Polynomial:
     for i, k, power in structure.terms:
         f[k][power] = f[k][power] + c[:, i] if power in f[k] else np.ascontiguousarray(c[:, i])
     if structure.degree:
-        return _resultant(f)
+        return resultant(f)
     if structure.circle:
         return {e: x.real for e, x in f[0].items()}
     # One harmonic alone: its modulus would have to vanish, and the phase were free.
