@@ -32,7 +32,11 @@ RUNTIME = {
     "modal_values": "_eigenmodes",
     "Flow": "_flow",
     **dict.fromkeys(("Motion", "response_at"), "_motion"),
-    **dict.fromkeys(("equilibria_at", "jacobian_at", "stability_at"), "_nonlinear"),
+    **dict.fromkeys(
+        ("backbone_at", "equilibria_at", "jacobian_at", "response_along", "stability_at"),
+        "_nonlinear",
+    ),
+    "response_of": "_branches",
     "equilibria_of_one": "_one_amplitude",
     "equilibria_of_many": "_many_amplitudes",
     **dict.fromkeys(

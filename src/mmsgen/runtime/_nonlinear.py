@@ -12,15 +12,24 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._dual import array_slopes
+from ._dual import array_slopes, real_at
 from ._flow import Flow, jacobian, rates, spectrum
-from ._records import Equilibria
-from ._runtime import checked_amplitudes, evaluate_array
+from ._records import Equilibria, Response
+from ._runtime import checked_amplitudes, evaluate, evaluate_array
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Slopes", "drift_of", "equilibria_at", "jacobian_at", "slopes_of", "stability_at"]
+__all__ = [
+    "Slopes",
+    "backbone_at",
+    "drift_of",
+    "equilibria_at",
+    "jacobian_at",
+    "response_along",
+    "slopes_of",
+    "stability_at",
+]
 
 Kernel = Callable[..., Any]
 Arguments = Sequence["NDArray[np.float64]"]
@@ -132,6 +141,93 @@ def stability_at(
         lost = _missing(b)[..., None]
         found = spectrum(flow, c, np.where(lost, 1.0, b), drift)
     return np.where(lost, complex(np.nan, np.nan), found)
+
+
+# --- curves ---------------------------------------------------------------------------------------
+
+
+def backbone_at(
+    kernel: Kernel, amplitude: ArrayLike, arguments: Arguments, names: Sequence[str]
+) -> Any:
+    """A formula in the real amplitude; with names also its derivatives.
+
+    Parameters
+    ----------
+    kernel : callable
+        Of the amplitude and the arguments.
+    amplitude : array_like
+        Not negative.
+    arguments : sequence of numpy.ndarray
+    names : sequence of str
+        Of the arguments; empty where no derivatives are wanted.
+
+    Raises
+    ------
+    ValueError
+        If the amplitude is not a finite real number, or negative, or the shapes do not broadcast.
+    """
+    a = np.asarray(amplitude)
+    if a.dtype.kind not in "iuf" or not np.isfinite(a).all() or (a < 0.0).any():
+        raise ValueError(f"the amplitude must be finite and not negative, got {amplitude!r}")
+    a = a.astype(np.float64, copy=False)
+    try:
+        np.broadcast_shapes(a.shape, *(x.shape for x in arguments))
+    except ValueError:
+        shapes = ", ".join(str(x.shape) for x in arguments)
+        raise ValueError(
+            f"shapes that do not broadcast together: the amplitude {a.shape}, parameters {shapes}"
+        ) from None
+    return real_at(evaluate, kernel, [a, *arguments], names)
+
+
+def response_along(
+    follow: Callable[..., Response],
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    names: Sequence[str],
+    over: str,
+) -> Response:
+    """All equilibria along one parameter, as curves, with their bifurcations.
+
+    Parameters
+    ----------
+    follow : callable
+        Terms, the coefficients as a function of the parameter, its values and its name → response.
+    flow, kernel, arguments
+        As for `jacobian_at`.
+    names : sequence of str
+        Of the arguments.
+    over : str
+        Which of them varies.
+
+    Raises
+    ------
+    ValueError
+        If it is unknown, its values are not an array of one dimension, or another one is an array.
+    """
+    if over not in names:
+        raise ValueError(f"over must be one of {', '.join(names)}, got {over!r}")
+    place = list(names).index(over)
+    values = arguments[place]
+    if values.ndim != 1:
+        raise ValueError(
+            f"{over}, which varies, must be an array of one dimension, got the shape {values.shape}"
+        )
+    for name, array in zip(names, arguments, strict=True):
+        if name != over and array.size != 1:
+            raise ValueError(
+                f"only {over} may be an array, got the shape {array.shape} for {name}; give over= "
+                "the name of the one that varies"
+            )
+
+    def coefficients(p: Any) -> NDArray[np.complex128]:
+        own = [a.reshape(()) for a in arguments]
+        own[place] = np.asarray(p, dtype=np.float64)
+        return coefficients_at(flow, kernel, own)
+
+    with np.errstate(all="ignore"):
+        return follow(flow, coefficients, values, name=over)
 
 
 # --- equilibria, and how they move with the parameters --------------------------------------------
