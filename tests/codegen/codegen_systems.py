@@ -170,7 +170,7 @@ def number(text: Any) -> Any:
 def leading(point: Mapping[str, Any]) -> list[Any]:
     """What a function takes before its keywords at a stored point: the time, and amplitudes."""
     amplitudes = [[complex(*pair) for pair in point[k]] for k in ("amplitudes",) if k in point]
-    return [*(point[k] for k in ("time",) if k in point), *amplitudes]
+    return [*(point[k] for k in ("time", "amplitude") if k in point), *amplitudes]
 
 
 def calls(name: str) -> Iterator[tuple[str, dict[str, float], Any, list[Any], list[Any]]]:

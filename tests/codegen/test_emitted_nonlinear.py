@@ -216,3 +216,52 @@ def test_what_there_is() -> None:
     everywhere = {"slow_flow", "response", "equilibria", "jacobian", "stability"}
     for name in CASES:
         assert everywhere <= set(functions(name).__all__)
+
+
+# --- backbones ------------------------------------------------------------------------------------
+
+
+def test_backbones_in_print() -> None:
+    a = np.array([0.0, 0.5, 1.0])
+    given = {"alpha": 0.3, "omega": 1.3}
+    y = 0.3 * a**2 / 1.3**2
+    # Duffing's equation: ω(1 + 3y/8 − 15y²/256), of which the shift is given.
+    found = functions("free2").backbone(a, **given)
+    assert found == pytest.approx(1.3 * (3 * y / 8 - 15 * y**2 / 256), rel=1e-14)
+    # Primary resonance: the detuning is that shift.
+    found = functions("primary1").backbone(a, **given, k=0.1, mu=0.1)
+    assert found == pytest.approx(1.3 * 3 * y / 8, rel=1e-14)
+    # Van der Pol's, on its limit cycle a = 2: −μ²/16 at ω = 1.
+    assert functions("pol").backbone(2.0, mu=0.2, omega=1.0) == pytest.approx(-0.04 / 16, rel=1e-14)
+    assert "backbone" not in functions("two").__all__
+
+
+def test_a_backbone_goes_through_the_drift_of_free_motions() -> None:
+    """dγ/dt of slow_flow at every amplitude, the other way to compute it."""
+    given, b = {"alpha": 0.3, "omega": 1.3}, np.array([[0.1], [0.4 - 0.3j]])
+    rate = (functions("free3").slow_flow(b, **given) / (1j * b)).real[:, 0]
+    assert functions("free3").backbone(2 * np.abs(b[:, 0]), **given) == pytest.approx(rate, rel=1e-13)
+
+
+def test_derivatives_of_a_backbone() -> None:
+    a, alpha, omega = np.array([0.3, 0.9]), 0.4, 1.3
+    value, slopes = functions("free2").backbone(a, alpha=alpha, omega=omega, gradient=True)
+    assert value.shape == (2,)
+    y = a**2 / omega
+    by_alpha = 3 * y / 8 - 30 * alpha * y**2 / omega / 256
+    by_omega = -3 * alpha * y / omega / 8 + 45 * alpha**2 * y**2 / omega**2 / 256
+    assert slopes["alpha"] == pytest.approx(by_alpha, rel=1e-14)
+    assert slopes["omega"] == pytest.approx(by_omega, rel=1e-14)
+
+
+@pytest.mark.parametrize("amplitude", [-0.1, np.nan, np.inf, 1j, "1", [0.1, -0.2]])
+def test_what_is_no_amplitude(amplitude: Any) -> None:
+    with pytest.raises(ValueError, match="the amplitude must be finite and not negative"):
+        functions("free1").backbone(amplitude, alpha=0.3, omega=1.3)
+
+
+def test_backbone_shapes() -> None:
+    backbone = functions("free1").backbone
+    assert backbone(np.zeros(3), alpha=np.ones((2, 1)), omega=1.0).shape == (2, 3)
+    with pytest.raises(ValueError, match=r"do not broadcast together: the amplitude \(3,\)"):
+        backbone(np.zeros(3), alpha=np.ones(2), omega=1.0)

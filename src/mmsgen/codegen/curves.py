@@ -13,7 +13,7 @@ from ..ir import compute_ir, fresh
 from ..parameters import Parameter
 from ..symbols import modulus
 from .exact import exact
-from .kernels import AMPLITUDES, EmittedFunction, Kernel, Option, Reference, called
+from .kernels import AMPLITUDES, SHARED, EmittedFunction, Kernel, Option, Reference, called
 from .options import gradient_option, wanted
 from .rounding import rounded
 from .setting import Setting, values_of
@@ -30,18 +30,17 @@ def response_function(setting: Setting, table: str, coefficients: str) -> Emitte
     table, coefficients : str
         Names of the constant with the slow flow's terms, and of the kernel of their coefficients.
     """
-    if not setting.parameters:
+    if not setting.parameters or "_branches" not in SHARED:
         return None
     names = [p.name for p in setting.parameters]
     over = fresh("over", names)
     items = ["{response_of}", f"{{{table}}}", f"{{{coefficients}}}", "{arguments}"]
-    flag = Option("", "", "", "", "")
-    items += [wanted(names, flag), over]
+    items += [wanted(names), over]
     return EmittedFunction(
         name="frequency_response",
         arguments=setting.parameters,
         body=called("{response_along}", items),
-        returns="Response",
+        returns="Any",
         summary="All equilibria along one parameter, as branches with their bifurcations.",
         description=(
             "One parameter is an array of one dimension, the others are numbers. Each branch has "
@@ -82,7 +81,7 @@ def backbone_function(setting: Setting) -> EmittedFunction | None:
         own, a = values_of(point, arguments), 2 * abs(point[AMPLITUDES][0].real)
         value = exact(formula, {**own, str(modulus(setting.case.coordinates[0]).name): a})
         bound = rounded(kernel.ir, {**own, amplitude: a})[out].error
-        return Reference(own, (), (value,), (bound,), (mpmath.mpf(a),))
+        return Reference(own, (), (value,), (bound,), first={"amplitude": mpmath.mpf(a)})
 
     what = f"The detuning {detunings[0].name}" if detunings else "The shift of the frequency"
     return EmittedFunction(

@@ -150,8 +150,8 @@ class Reference:
         Of mpmath numbers.
     amplitudes : tuple
         Those that the function takes before its keywords.
-    time : tuple
-        The time that it takes before these, alone in a tuple.
+    first : mapping
+        What it takes before these: "time" or "amplitude" → number.
     """
 
     arguments: Mapping[str, Any]
@@ -159,7 +159,7 @@ class Reference:
     values: tuple[Any, ...]
     errors: tuple[Any, ...]
     amplitudes: tuple[Any, ...] = ()
-    time: tuple[Any, ...] = ()
+    first: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

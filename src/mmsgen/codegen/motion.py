@@ -72,7 +72,7 @@ def motion_function(setting: Setting, slow: tuple[str, str] | None) -> EmittedFu
     def reference(point: Mapping[str, Any]) -> Reference:
         own = values_of(point, arguments)
         values, errors = _values(motion, kernel, numbered, own, point[TIME], point[AMPLITUDES])
-        return Reference(own, (n,), values, errors, tuple(point[AMPLITUDES]), (point[TIME],))
+        return Reference(own, (n,), values, errors, tuple(point[AMPLITUDES]), {"time": point[TIME]})
 
     return EmittedFunction(
         name="response",

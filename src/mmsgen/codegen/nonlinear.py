@@ -16,6 +16,7 @@ import mpmath
 import sympy as sp
 
 from ..ir import compute_ir, fresh
+from .curves import backbone_function, response_function
 from .exact import exact
 from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Reference, called
 from .numpy_target import wrapped
@@ -37,7 +38,9 @@ def flow_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
         _jacobian_function(setting, kernel, out),
         _stability_function(setting),
     )
-    return (replace(first, kernels=(kernel,), constants=(_constant(setting),)), *others)
+    curves = (response_function(setting, TABLE, COEFFICIENTS), backbone_function(setting))
+    held = replace(first, kernels=(kernel,), constants=(_constant(setting),))
+    return (held, *(f for f in curves if f is not None), *others)
 
 
 def _kernel(setting: Setting) -> tuple[Kernel, str]:

@@ -22,20 +22,22 @@ def gradient_option(names: Sequence[str]) -> Option:
     )
 
 
-def wanted(names: Sequence[str], gradient: Option, head: str = "") -> str:
-    """Names where derivatives are wanted, as an argument in Python text.
+def wanted(names: Sequence[str], gradient: Option | None = None, head: str = "") -> str:
+    """Names, of those where derivatives are wanted, as an argument in Python text.
 
     Parameters
     ----------
     names : sequence of str
         Of the parameters.
-    gradient : Option
+    gradient : Option, optional
+        Without it the names come always.
     head : str
         What stands before it, such as ``names=``.
     """
     texts = [f'"{name}"' for name in names]
-    line = f"{head}({', '.join(texts)}{',' if len(texts) == 1 else ''}) if {gradient.name} else ()"
+    choice = ("", "") if gradient is None else (f"if {gradient.name}", "else ()")
+    line = f"{head}({', '.join(texts)}{',' if len(texts) == 1 else ''}) {' '.join(choice)}".rstrip()
     if len(line) + 9 <= LINE_LENGTH:
         return line
     rows = "\n".join(wrapped(texts, 12))
-    return f"{head}(\n{rows}\n        )\n        if {gradient.name}\n        else ()"
+    return f"{head}(\n{rows}\n        )" + "".join(f"\n        {part}" for part in choice if part)

@@ -27,8 +27,8 @@ STORED = 25
 def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> str:
     """The JSON file of a case.
 
-    For each function a list of points: ``time`` and ``amplitudes``, where it takes them;
-    ``arguments``;
+    For each function a list of points: ``time`` or ``amplitude``, and ``amplitudes``, where it
+    takes them; ``arguments``;
     ``shape``; ``values``, real ones as decimal strings and complex ones as pairs of them, flat, the
     last axis fastest; ``errors``, bounds of the absolute error that the emitted formula makes in
     double precision, and of what is cut off.
@@ -58,7 +58,7 @@ def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> st
 def _entry(reference: Reference) -> dict[str, Any]:
     amplitudes = {"amplitudes": [_argument(a) for a in reference.amplitudes]}
     return {
-        **{"time": _argument(t) for t in reference.time},
+        **{name: _argument(value) for name, value in reference.first.items()},
         **(amplitudes if reference.amplitudes else {}),
         "arguments": {name: _argument(value) for name, value in reference.arguments.items()},
         "shape": list(reference.shape),
