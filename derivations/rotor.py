@@ -14,7 +14,8 @@ The steps, each of which is a plain function that returns new equations:
     in_ratios(eom)                            r_m, r_b, r_a, ω_x, ω_y, ω_b and damping rates
     at_speed(eom)                             ω_b replaced by the lag frequency at speed, ω_φ
 
-and `eom.linearise()`, which may stand anywhere between them.
+and `eom.linearise()`, which may stand anywhere between them. `with_nonlinear_hinges(model)` gives
+the blades springs and dampers that are not linear.
 
 Source: Sanches, Michon, Berlioz and Alazard, "Response and instability prediction of helicopter
 dynamics on the ground", Int. J. Non-Linear Mechanics (2014), doi 10.1016/j.ijnonlinmec.2014.04.003.
@@ -23,6 +24,7 @@ dynamics on the ground", Int. J. Non-Linear Mechanics (2014), doi 10.1016/j.ijno
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
@@ -40,6 +42,7 @@ __all__ = [
     "isotropic",
     "paper_values",
     "undamped",
+    "with_nonlinear_hinges",
 ]
 
 
@@ -55,9 +58,12 @@ time = dynamicsymbols._t
 Omega, a, b, m_f, K_x, K_y = _positive("Omega a b m_f K_x K_y")
 m, inertia, K_b = _positive("m I K_b")
 c_x, c_y, c_b = _nonnegative("c_x c_y c_b")
+K_3 = sp.Symbol("K_3", real=True)
+c_2, c_3 = _nonnegative("c_2 c_3")
 r_m, r_b, r_a = _positive("r_m r_b r_a")
 omega_x, omega_y, omega_b, omega_phi = _positive("omega_x omega_y omega_b omega_phi")
-mu_x, mu_y, mu_b = _nonnegative("mu_x mu_y mu_b")
+mu_x, mu_y, mu_b, mu_2, mu_3 = _nonnegative("mu_x mu_y mu_b mu_2 mu_3")
+kappa = sp.Symbol("kappa", real=True)
 
 _ROTOR = [
     Parameter(Omega, "rad/s", "rotor speed"),
@@ -76,6 +82,11 @@ _BLADE = [
     Parameter(inertia, "kg m^2", "inertia of a blade about its centre of gravity"),
     Parameter(K_b, "N m/rad", "lag stiffness of a blade"),
     Parameter(c_b, "N m s/rad", "lag damping of a blade"),
+]
+_HINGE = [
+    Parameter(K_3, "N m/rad^3", "cubic lag stiffness of a blade"),
+    Parameter(c_2, "N m s^2/rad^2", "lag damping of a blade by the square of its velocity"),
+    Parameter(c_3, "N m s^3/rad^3", "lag damping of a blade by the cube of its velocity"),
 ]
 
 
@@ -133,6 +144,25 @@ def helicopter(N_b: int = 4) -> Model:
     return Model(kinetic - potential, [x, y, *phi], parameters, dissipation=dissipation)
 
 
+def with_nonlinear_hinges(model: Model) -> Model:
+    """Add the moments K_3 φ³ + c_2 φ'|φ'| + c_3 φ'³ to the hinges of all blades.
+
+    Elastomeric dampers stiffen, or soften, and damp more as they move more; a hydraulic one, whose
+    oil passes an orifice, resists by the square of the velocity.
+
+    Parameters
+    ----------
+    model : Model
+        Of `helicopter`.
+    """
+    forces = {}
+    for phi_k in model.coordinates[2:]:
+        speed = phi_k.diff(time)
+        forces[phi_k] = -(K_3 * phi_k**3 + c_2 * speed * sp.Abs(speed) + c_3 * speed**3)
+    parameters = [*model.parameters, *_HINGE]
+    return replace(model, parameters=parameters, forces=forces)
+
+
 def isotropic(eom: EquationsOfMotion, own_stiffness: bool = False) -> EquationsOfMotion:
     """Make all blades alike: m_k = m, I_k = I, K_bk = K_b, c_bk = c_b.
 
@@ -162,8 +192,9 @@ def in_ratios(eom: EquationsOfMotion) -> EquationsOfMotion:
     """Write the equations of alike blades in ratios, frequencies and damping rates.
 
     With M = m_f + N_b m and J = I + m b²: r_m = m b/M, r_b = m b/J, r_a² = a r_b, ω_x² = K_x/M,
-    ω_y² = K_y/M, ω_b² = K_b/J, 2μ_x = c_x/M, 2μ_y = c_y/M, 2μ_b = c_b/J. Solved for the old
-    parameters, these leave m and b as units of mass and length, which must cancel: it is checked.
+    ω_y² = K_y/M, ω_b² = K_b/J, 2μ_x = c_x/M, 2μ_y = c_y/M, 2μ_b = c_b/J, κ = K_3/J, μ_2 = c_2/J,
+    μ_3 = c_3/J. Solved for the old parameters, these leave m and b as units of mass and length,
+    which must cancel: it is checked.
     """
     N_b = _number_of_blades(eom)
     M, J = m * b / r_m, m * b / r_b
@@ -177,6 +208,9 @@ def in_ratios(eom: EquationsOfMotion) -> EquationsOfMotion:
         c_y: 2 * M * mu_y,
         c_b: 2 * J * mu_b,
         K_b: J * omega_b**2,
+        K_3: J * kappa,
+        c_2: J * mu_2,
+        c_3: J * mu_3,
     }
     parameters = [
         Parameter(r_m, "m", "static moment of a blade over the mass of the helicopter"),
@@ -188,6 +222,9 @@ def in_ratios(eom: EquationsOfMotion) -> EquationsOfMotion:
         Parameter(mu_y, "1/s", "lateral damping rate of the fuselage"),
         Parameter(mu_b, "1/s", "lag damping rate of a blade"),
         Parameter(omega_b, "rad/s", "lag frequency of a blade at rest"),
+        Parameter(kappa, "1/s^2", "cubic lag stiffness of a blade over its inertia"),
+        Parameter(mu_2, "1", "lag damping by the square of the velocity over the inertia"),
+        Parameter(mu_3, "s", "lag damping by the cube of the velocity over the inertia"),
     ]
     for k in range(1, N_b + 1):
         frequency = _of_blade(parameters[8], k)
