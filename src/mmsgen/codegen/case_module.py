@@ -13,7 +13,7 @@ from .._version import __version__
 from ..errors import EmissionError
 from ..ir import fresh
 from ..parameters import Parameter
-from .docstrings import domain_of, function_docstring, module_docstring
+from .docstrings import domain_of, function_docstring, module_docstring, origin
 from .kernels import RUNTIME, Constant, EmittedFunction, Kernel
 from .numpy_target import LINE_LENGTH, kernel_text, wrapped
 from .setting import Setting
@@ -21,7 +21,7 @@ from .setting import Setting
 __all__ = ["case_text", "digest_of", "fill"]
 
 _MODULE = Template('''\
-# Emitted by mmsgen $version from $derivation: change that, not this file.
+$origin
 # Made from sha256 $digest
 $operations
 """$docstring"""
@@ -117,8 +117,7 @@ def case_text(
     if names["PARAMETERS"] != "PARAMETERS":
         aliases = f"\n{names['PARAMETERS']} = PARAMETERS\n"
     keys = {
-        "version": __version__,
-        "derivation": derivation,
+        "origin": origin(__version__, derivation),
         "digest": digest_of(functions),
         "operations": textwrap.fill(
             f"Operations for each point: {counts}",

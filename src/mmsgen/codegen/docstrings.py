@@ -10,7 +10,7 @@ from .kernels import EmittedFunction
 from .numpy_target import LINE_LENGTH
 from .setting import Setting
 
-__all__ = ["function_docstring", "module_docstring", "paragraph"]
+__all__ = ["function_docstring", "module_docstring", "origin", "paragraph"]
 
 _DOMAIN = {"positive": "> 0", "nonnegative": ">= 0", "negative": "< 0", "real": "real"}
 
@@ -34,6 +34,18 @@ def paragraph(text: str, indent: int, hanging: int = 0) -> str:
         LINE_LENGTH,
         initial_indent=pad,
         subsequent_indent=pad + " " * hanging,
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+
+
+def origin(version: str, derivation: str) -> str:
+    """The first comment of a file, in as many lines as it needs."""
+    return textwrap.fill(
+        f"Emitted by mmsgen {version} from {derivation}: change that, not this file.",
+        LINE_LENGTH,
+        initial_indent="# ",
+        subsequent_indent="# ",
         break_long_words=False,
         break_on_hyphens=False,
     )

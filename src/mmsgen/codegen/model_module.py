@@ -8,6 +8,7 @@ from string import Template
 
 from .._version import __version__
 from .case_module import fill
+from .docstrings import origin
 from .kernels import EmittedFunction
 from .setting import Setting
 
@@ -21,7 +22,7 @@ Importing needs NumPy alone.
 '''
 
 _MODEL = Template('''\
-# Emitted by mmsgen $version from $derivation: change that, not this file.
+$origin
 """$model: $count by the method of multiple scales.
 
 CASES says what there is; a case is imported when it is used:
@@ -78,8 +79,7 @@ def model_text(
     note = f"\n{textwrap.fill('Source: ' + source, 100)}\n" if source else ""
     count = f"{len(entries)} case{'' if len(entries) == 1 else 's'}"
     keys = {
-        "version": __version__,
-        "derivation": derivation,
+        "origin": origin(__version__, derivation),
         "model": model,
         "package": package,
         "count": count,
