@@ -203,7 +203,7 @@ def test_nothing_to_emit() -> None:
 
 
 def test_a_template_and_its_keys_name_the_same_things() -> None:
-    with pytest.raises(EmissionError, match="'version'"):
+    with pytest.raises(EmissionError, match="'origin'"):
         fill(_MODEL, {})
     with pytest.raises(EmissionError, match="'more'"):
         fill(_MODEL, {**dict.fromkeys(_MODEL.get_identifiers(), ""), "more": ""})
