@@ -32,7 +32,7 @@ EPS = 2.0**-52
 
 # Roots that are smaller than this, or larger than its reciprocal, in units of the geometric mean
 # of all roots' moduli, are taken for zero or infinite.
-SMALLEST = 2.0**-200
+SMALLEST = 2.0**-1000
 
 # How often an interval is halved to separate its roots; what is left then is near a double root.
 HALVINGS = 8
@@ -40,6 +40,10 @@ HALVINGS = 8
 # A step of Newton's method that is relatively smaller than this is the last one: the next would be
 # of the size of its square.
 SETTLED = 1e-8
+
+# Newton's method alone for so many steps, then every other step halves the bracket; the latter
+# suffices, in their logarithms first, from `SMALLEST` to the last bit.
+PATIENCE, LONGEST = 12, 160
 
 
 def positive_roots(coefficients: Any) -> NDArray[np.float64]:
@@ -119,7 +123,7 @@ def _scaled(table: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np
     highest = degree - np.argmax(nonzero[:, ::-1], axis=-1)
     rows = np.arange(len(table))
     fall = exponents[rows, lowest] - exponents[rows, highest]
-    e = np.rint(fall / np.maximum(highest - lowest, 1)).astype(np.int64)
+    e = np.floor(fall / np.maximum(highest - lowest, 1) + 0.5).astype(np.int64)
     powers = exponents + e[:, None] * np.arange(degree + 1)
     powers -= np.where(nonzero, powers, np.iinfo(np.int64).min // 2).max(axis=-1)[:, None]
     powers = np.maximum(powers, -2000).astype(np.int32)
@@ -305,7 +309,7 @@ def _newton(
     out, place = np.empty(len(x)), np.arange(len(x))
     coefficients = columns * sign  # positive at the lower end
     with np.errstate(all="ignore"):
-        for _ in range(120):
+        for count in range(LONGEST):
             value, slope = _with_slope(coefficients, x)
             above = value < 0.0
             high = np.where(above, x, high)
@@ -313,9 +317,13 @@ def _newton(
             step = value / slope
             new = x - step
             going = ~(np.abs(step) <= SETTLED * x)
-            beyond = going & ~((new >= low) & (new <= high))  # NaN as well
+            beyond = ~((new >= low) & (new <= high))  # NaN as well
+            if count >= PATIENCE and count % 2:
+                beyond[:] = True  # far from a root Newton's method may be slower than halving
+            beyond &= going
             if beyond.any():
-                middle = np.where(high > 8.0 * low, np.sqrt(low * high), 0.5 * (low + high))
+                mean = np.sqrt(low) * np.sqrt(high)
+                middle = np.where(high > 8.0 * low, mean, 0.5 * (low + high))
                 new = np.where(beyond, middle, new)
             x = new
             left = np.count_nonzero(going)
