@@ -1,0 +1,387 @@
+"""Equilibria along one parameter: branches in order, through folds, and their bifurcations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._arcs import Bow, Curve, turning
+from ._charts import Chart, equations, normal, pack, unpack
+from ._flow import Flow
+from ._many_amplitudes import equilibria_of_many
+from ._nets import Link, Net, joined, nets
+from ._one_amplitude import equilibria_of_one
+from ._paths import solve
+from ._points import Points, bifurcations, points_of
+from ._records import Branch, Equilibria, Response
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["response"]
+
+SECTIONS = 48
+"""Values of the parameter at which all equilibria of several amplitudes are computed, at first."""
+
+SECTIONS_OF_ONE = 64
+
+
+def response(
+    flow: Flow, coefficients: Callable[[Any], Any], values: Any, name: str = ""
+) -> Response:
+    """All equilibria along one parameter, their branches and bifurcations.
+
+    Parameters
+    ----------
+    flow : Flow
+    coefficients : callable
+        Values of the parameter, shape (K,) → coefficients, shape (K, terms). It is called for
+        values between the smallest and the largest of `values`.
+    values : array_like
+        Of the parameter, one-dimensional, in any order.
+    name : str
+        Of the parameter.
+
+    Returns
+    -------
+    Response
+        The points of a branch are at the given values, in order along the curve, which may turn
+        back at folds; these are points of it as well. Of equilibria that are carried into each
+        other by B → −B, or by the phases of a subharmonic, one is there.
+
+    Raises
+    ------
+    ValueError
+        If the values are not a one-dimensional array of finite numbers, or as
+        `equilibria_of_one` and `equilibria_of_many`.
+
+    Notes
+    -----
+    All equilibria are computed at 48 values, twice as many where their number changes; for one
+    amplitude at every value. From there the branches are followed. A closed branch of two and
+    more amplitudes that lies between two neighbouring ones of these values is not seen.
+    """
+    given = np.asarray(values)
+    if given.ndim != 1 or given.dtype.kind not in "iuf" or not np.isfinite(given).all():
+        raise ValueError("the values of the parameter must be a one-dimensional array of numbers")
+    p = np.unique(given.astype(np.float64))
+    if not len(p):
+        return Response(name, (), ())
+
+    def numbers(x: Any) -> NDArray[np.complex128]:
+        c = np.asarray(coefficients(np.asarray(x)), dtype=np.complex128)
+        return np.broadcast_to(c, (len(x), c.shape[-1]))
+
+    c = numbers(p)
+    finite = np.isfinite(c).all(axis=-1)
+    p, c = p[finite], c[finite]
+    if not len(p):
+        return Response(name, (), ())
+    sections, found = _sections(flow, p, c)
+    parts = nets(flow, numbers, p[sections], found)
+    branches: list[Branch] = []
+    special: list[Any] = []
+    for net in parts:
+        if len(sections) > 1:
+            joined(net, p[sections])
+        own, marks = _branches(flow, net, p, c, sections)
+        branches += own
+        special += marks
+    size = float(np.nanmax(np.abs(found.amplitudes), initial=0.0)) or 1.0
+    width = float(p[-1] - p[0])
+    return Response(name, tuple(branches), bifurcations(special, size, width))
+
+
+def _sections(
+    flow: Flow, p: NDArray[np.float64], c: NDArray[np.complex128]
+) -> tuple[NDArray[np.int64], Equilibria]:
+    """Places among the values at which all equilibria are known, and these."""
+    if flow.n == 1:
+        every = equilibria_of_one(flow, c)
+        number = every.number
+        chosen = np.unique(np.linspace(0, len(p) - 1, SECTIONS_OF_ONE).round().astype(np.int64))
+        more = []
+        for a, b in zip(chosen[:-1], chosen[1:], strict=True):
+            # A closed branch between two sections shows in the number of equilibria there.
+            top = a + int(np.argmax(number[a : b + 1]))
+            if number[top] > max(number[a], number[b]):
+                more.append(top)
+        chosen = np.unique(np.concatenate((chosen, np.array(more, dtype=np.int64))))
+        return chosen, Equilibria(*(part[chosen] for part in every))
+    chosen = np.unique(np.linspace(0, len(p) - 1, SECTIONS).round().astype(np.int64))
+    found = equilibria_of_many(flow, c[chosen])
+    change = np.diff(found.number) != 0
+    middle = (chosen[:-1] + chosen[1:])[change] // 2
+    middle = np.setdiff1d(middle, chosen)
+    if len(middle):
+        more = equilibria_of_many(flow, c[middle])
+        width = max(found.amplitudes.shape[1], more.amplitudes.shape[1])
+        both = [np.concatenate((_wide(a, width), _wide(b, width))) for a, b in zip(found, more)]
+        chosen = np.concatenate((chosen, middle))
+        order = np.argsort(chosen)
+        chosen, found = chosen[order], Equilibria(*(part[order] for part in both))
+    return chosen, found
+
+
+def _wide(part: NDArray[Any], width: int) -> NDArray[Any]:
+    """Filled up with NaN along the second axis."""
+    missing = [(0, 0), (0, width - part.shape[1])] + [(0, 0)] * (part.ndim - 2)
+    return np.pad(part, missing, constant_values=np.nan)
+
+
+# --- points ---------------------------------------------------------------------------------------
+
+
+class _Samples(NamedTuple):
+    """Points of links: which link, how far along it, p, real unknowns, whether p turns there."""
+
+    link: NDArray[np.int64]
+    along: NDArray[np.float64]
+    p: NDArray[np.float64]
+    x: NDArray[np.float64]
+    fold: NDArray[np.bool_]
+
+
+def _bows(links: list[Link]) -> tuple[Bow, NDArray[Any], NDArray[np.int64], NDArray[np.float64]]:
+    """Steps of all links, their scales, their links and their places along these."""
+    first, slope, last, end, scale, owner, place = [], [], [], [], [], [], []
+    for k, link in enumerate(links):
+        arc = link.arc
+        first.append(arc.points[:-1])
+        slope.append(arc.tangents[:-1])
+        last.append(arc.points[1:])
+        end.append(arc.tangents[1:])
+        steps = len(arc.points) - 1
+        scale.append(np.repeat(arc.scale[None], steps, axis=0))
+        owner.append(np.full(steps, k))
+        place.append(np.arange(steps, dtype=np.float64))
+    bow = Bow(*(np.concatenate(x) for x in (first, slope, last, end)))
+    return bow, np.concatenate(scale), np.concatenate(owner), np.concatenate(place)
+
+
+def _samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> _Samples:
+    """Points of all links at the given values between the nodes, and their folds."""
+    curve = net.curve
+    bow, scale, owner, place = _bows(net.links)
+    mirrored = np.array([_mirrored(link) for link in net.links])[owner]
+    turns = (bow.slope[:, -1] > 0.0) != (bow.end[:, -1] > 0.0)
+    k = np.flatnonzero(turns & ~mirrored)
+    w, tangent = turning(curve, bow.pick(k), scale[k])
+    # A step with a fold becomes two, up to it and from it.
+    whole = Bow(*(np.concatenate((part, part[k])) for part in bow))
+    for part, value in zip(whole[:2], (w, tangent), strict=True):
+        part[len(owner) :] = value
+    for part, value in zip(whole[2:], (w, tangent), strict=True):
+        part[k] = value
+    scales, owners = np.concatenate((scale, scale[k])), np.concatenate((owner, owner[k]))
+    places = np.concatenate((place, place[k] + 0.5))
+    sampled = _dense(curve, whole, scales, owners, places, p, c)
+    folds = _Samples(
+        owner[k], place[k] + 0.5, w[:, -1] * (p[-1] - p[0]), w[:, :-1] * scale[k], np.ones(len(k), bool)
+    )
+    return _Samples(*(np.concatenate(parts) for parts in zip(sampled, folds, strict=True)))
+
+
+def _mirrored(link: Link) -> bool:
+    """Whether a piece comes back to an image of where it began, through a point that has none."""
+    return (link.start, link.start_side) == (link.end, link.end_side)
+
+
+def _dense(
+    curve: Curve,
+    bow: Bow,
+    scale: NDArray[np.float64],
+    owner: NDArray[np.int64],
+    place: NDArray[np.float64],
+    p: NDArray[np.float64],
+    c: NDArray[np.complex128],
+) -> _Samples:
+    """Points at the given values in steps along which p does not turn."""
+    width = curve.high - curve.low
+    ends = np.stack((bow.first[:, -1], bow.last[:, -1])) * width
+    low = np.searchsorted(p, ends.min(axis=0) + 1e-14 * width, side="right")
+    high = np.searchsorted(p, ends.max(axis=0) - 1e-14 * width, side="left")
+    number = np.maximum(high - low, 0)
+    step = np.repeat(np.arange(len(owner)), number)
+    first = np.cumsum(number) - number
+    index = np.arange(len(step)) - first[step] + low[step]
+    own = bow.pick(step)
+    u = own.where(p[index] / width)
+    x = own.at(u, slice(None, -1)) * scale[step]
+    x = _polished(curve.place, c[index], x, scale[step])
+    half = np.where(place[step] % 1.0 > 0.0, 0.5, 1.0)
+    half = np.where(np.isin(step, np.flatnonzero(_split(owner, place))), 0.5, half)
+    return _Samples(
+        owner[step], place[step] + half * u * 0.999, p[index], x, np.zeros(len(step), bool)
+    )
+
+
+def _split(owner: NDArray[np.int64], place: NDArray[np.float64]) -> NDArray[np.bool_]:
+    """Steps that have been cut at a fold: their first halves."""
+    cut = place % 1.0 > 0.0
+    later = {(int(o), float(s)) for o, s in zip(owner[cut], place[cut] - 0.5, strict=True)}
+    return np.array([(int(o), float(s)) in later for o, s in zip(owner, place)], dtype=bool)
+
+
+def _polished(
+    place: Chart, c: NDArray[Any], x: NDArray[np.float64], scale: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Newton's method at given coefficients, each point until it is there."""
+    x = x.copy()
+    own = c[:, list(place.columns)]
+    todo = np.arange(len(x))
+    with np.errstate(all="ignore"):
+        for _ in range(8):
+            if not len(todo):
+                break
+            f, matrices = equations(place, own[todo], *unpack(place, x[todo]))
+            step = -solve(matrices, f[..., None])[..., 0]
+            good = np.isfinite(step).all(axis=1)
+            x[todo[good]] += step[good]
+            # Newton's method doubles the digits: what is left is below the rounding.
+            todo = todo[good & (np.abs(step / scale[todo]).max(axis=1) > 1e-7)]
+    return x
+
+
+# --- branches -------------------------------------------------------------------------------------
+
+
+def _branches(
+    flow: Flow,
+    net: Net,
+    p: NDArray[np.float64],
+    c: NDArray[np.complex128],
+    sections: NDArray[np.int64],
+) -> tuple[list[Branch], list[Any]]:
+    place = net.curve.place
+    at = sections[net.section]
+    nodes = _Samples(
+        np.full(len(at), -1), np.arange(len(at)), p[at], np.array(net.x), np.zeros(len(at), bool)
+    )
+    if net.links:
+        between = _samples(net, p, c) if place.active else _resting(net, p)
+        order = np.lexsort((between.along, between.link))
+        between = _Samples(*(part[order] for part in between))
+        every = _Samples(*(np.concatenate(x) for x in zip(nodes, between, strict=True)))
+    else:
+        between, every = nodes, nodes
+    points = points_of(flow, net.curve, every.p, every.x, every.fold)
+    count = len(at)
+    inner = [
+        count + np.flatnonzero(between.link == k) if net.links else np.zeros(0, int)
+        for k in range(len(net.links))
+    ]
+    branches, marks = [], []
+    for chain in _chains(net):
+        index, phases = _along(net, chain, inner)
+        own = Points(*(part[index] for part in points))
+        if place.active:
+            turned = own.amplitudes.copy()
+            turned[:, list(place.active)] = normal(
+                place, own.amplitudes[:, list(place.active)] * np.exp(2j * np.pi * phases)
+            )
+            own = own._replace(amplitudes=turned)
+        branches.append(Branch(own.parameter, own.amplitudes, own.drift, own.growth))
+        marks.append((flow, net.curve, own))
+    return branches, marks
+
+
+def _resting(net: Net, p: NDArray[np.float64]) -> _Samples:
+    """All values between the nodes of amplitudes that are all zero."""
+    width = net.curve.high - net.curve.low
+    links, along, values = [], [], []
+    for k, link in enumerate(net.links):
+        ends = np.sort(link.arc.points[:, -1] * width)
+        inside = p[(p > ends[0]) & (p < ends[1])]
+        inside = inside if link.start_side > 0 else inside[::-1]
+        links.append(np.full(len(inside), k))
+        along.append(np.arange(len(inside), dtype=np.float64))
+        values.append(inside)
+    count = sum(map(len, values))
+    return _Samples(
+        np.concatenate(links),
+        np.concatenate(along),
+        np.concatenate(values),
+        np.zeros((count, 0)),
+        np.zeros(count, bool),
+    )
+
+
+Step = tuple[int, bool]
+"""A link and whether it is passed from its end to its start."""
+
+
+def _chains(net: Net) -> list[tuple[int, list[Step]]]:
+    """First nodes, and the links that follow each other from there; every link occurs once.
+
+    Where a branch ends in a link, the number of nodes and that of the link together stand for its
+    end.
+    """
+    count = len(net.section)
+    ends: dict[tuple[int, int], Step] = {}
+    for k, link in enumerate(net.links):
+        ends.setdefault((link.start, link.start_side), (k, False))
+        other = (count + k, 0) if _terminal(net, k) else (link.end, link.end_side)
+        ends.setdefault(other, (k, True))
+    used: set[int] = set()
+    reached: set[int] = set()
+    chains = []
+
+    def section(node: int) -> int:
+        return net.section[node if node < count else net.links[node - count].start]
+
+    def free(node: int) -> list[int]:
+        return [s for s in (1, 0, -1) if (node, s) in ends and ends[node, s][0] not in used]
+
+    def walk(node: int) -> list[Step]:
+        steps: list[Step] = []
+        reached.add(node)
+        sides = free(node)
+        while sides:
+            k, back = ends[node, sides[0]]
+            used.add(k)
+            steps.append((k, back))
+            link = net.links[k]
+            node = link.start if back else (count + k if _terminal(net, k) else link.end)
+            reached.add(node)
+            sides = free(node)
+        return steps
+
+    order = [*range(count), *(count + k for k in range(len(net.links)) if _terminal(net, k))]
+    order.sort(key=lambda node: (section(node), node))
+    for most in (1, 2):  # first those that end somewhere, then the closed ones
+        for node in order:
+            if node not in reached and len(free(node)) <= most:
+                chains.append((node, walk(node)))
+    return chains
+
+
+def _terminal(net: Net, k: int) -> bool:
+    """Whether a branch ends in a link."""
+    return _mirrored(net.links[k]) or net.links[k].end < 0
+
+
+def _along(
+    net: Net, chain: tuple[int, list[Step]], inner: list[NDArray[np.int64]]
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Points of a chain in order, and the phases by which each of them is turned."""
+    node, steps = chain
+    width, count = len(net.curve.place.active), len(net.section)
+    phase = np.zeros(width)
+    index = [np.array([node] if node < count else [], dtype=np.int64)]
+    phases = [np.zeros((len(index[0]), width))]
+    for k, back in steps:
+        link, ends = net.links[k], _terminal(net, k)
+        own = inner[k][: len(inner[k]) // 2] if _mirrored(link) else inner[k]
+        own = own[::-1] if back else own
+        shift = np.zeros(width) if ends else np.array(link.phases)
+        phase = phase - shift if back else phase
+        index.append(own)
+        phases.append(np.tile(phase, (len(own), 1)))
+        phase = phase if back else phase + shift
+        if back or not ends:
+            index.append(np.array([link.start if back else link.end]))
+            phases.append(phase[None])
+    return np.concatenate(index), np.concatenate(phases)
