@@ -18,7 +18,7 @@ from ._paths import solve
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Arc", "Bow", "Curve", "across", "follow", "landed", "on_plane", "turning"]
+__all__ = ["Arc", "Bow", "Curve", "across", "bows", "follow", "landed", "on_plane", "turning"]
 
 Coefficients = Callable[[Any], Any]
 
@@ -107,67 +107,69 @@ def _bordered(
 
 
 class Bow(NamedTuple):
-    """Cubics between two points with tangents of length one, over lengths from 0 to h."""
+    """Cubics between two points with tangents of length one, over lengths from 0 to h.
+
+    Attributes
+    ----------
+    first, slope, last, end : numpy.ndarray
+        Point and tangent at either end, shape (K, d + 1).
+    h : numpy.ndarray
+        Shape (K,).
+    """
 
     first: NDArray[np.float64]
     slope: NDArray[np.float64]
     last: NDArray[np.float64]
     end: NDArray[np.float64]
-
-    @property
-    def h(self) -> NDArray[np.float64]:
-        """Lengths: of the chord, and what an arc of a circle adds, shape (K,)."""
-        chord = np.linalg.norm(self.last - self.first, axis=-1)
-        angle = ((self.end - self.slope) ** 2).sum(axis=-1)
-        return chord * (1.0 + angle / 24.0)
+    h: NDArray[np.float64]
 
     def at(self, u: NDArray[np.float64], columns: Any = slice(None)) -> NDArray[np.float64]:
         """Points at the share u of the length, shape (K,)."""
         u, h = u[:, None], self.h[:, None]
+        v = 1.0 - u
         return (
-            self.first[:, columns] * (1 + 2 * u) * (1 - u) ** 2
-            + h * self.slope[:, columns] * u * (1 - u) ** 2
-            + self.last[:, columns] * u**2 * (3 - 2 * u)
-            + h * self.end[:, columns] * u**2 * (u - 1)
+            self.first[:, columns] * ((1.0 + 2.0 * u) * v * v)
+            + self.slope[:, columns] * (h * u * v * v)
+            + self.last[:, columns] * (u * u * (3.0 - 2.0 * u))
+            - self.end[:, columns] * (h * u * u * v)
         )
 
     def towards(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Directions there, of length one."""
         u, h = u[:, None], self.h[:, None]
         out = (
-            (self.last - self.first) * 6 * u * (1 - u)
-            + h * self.slope * (1 - u) * (1 - 3 * u)
-            + h * self.end * u * (3 * u - 2)
+            (self.last - self.first) * (6.0 * u * (1.0 - u))
+            + self.slope * (h * (1.0 - u) * (1.0 - 3.0 * u))
+            + self.end * (h * u * (3.0 * u - 2.0))
         )
         return out / np.linalg.norm(out, axis=-1)[:, None]
 
     def where(self, value: NDArray[np.float64]) -> NDArray[np.float64]:
         """The share at which the last coordinate takes a value between those at the ends."""
+        first, rise = self.first[:, -1], self.last[:, -1] - self.first[:, -1]
+        one, end = self.h * self.slope[:, -1], self.h * self.end[:, -1]
+        two, three = 3.0 * rise - 2.0 * one - end, one + end - 2.0 * rise
+        rising = rise >= 0.0
         low, high = np.zeros(len(value)), np.ones(len(value))
-        rising = self.last[:, -1] >= self.first[:, -1]
-        ends = self.first[:, -1], self.last[:, -1]
-        u = (value - ends[0]) / np.where(ends[1] == ends[0], 1.0, ends[1] - ends[0])
-        for _ in range(9):
+        u = (value - first) / np.where(rise == 0.0, 1.0, rise)
+        for _ in range(6):
             u = np.where((u > low) & (u < high), u, 0.5 * (low + high))
-            gap = self.at(u, slice(-1, None))[:, 0] - value
+            gap = first - value + u * (one + u * (two + u * three))
             above = (gap > 0.0) == rising
             low, high = np.where(above, low, u), np.where(above, u, high)
-            speed = self._speed(u)
+            speed = one + u * (2.0 * two + u * (3.0 * three))
             u = u - gap / np.where(speed == 0.0, np.inf, speed)
         return np.clip(u, low, high)
 
-    def _speed(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Derivative of the last coordinate by u."""
-        h = self.h
-        return (
-            (self.last[:, -1] - self.first[:, -1]) * 6 * u * (1 - u)
-            + h * self.slope[:, -1] * (1 - u) * (1 - 3 * u)
-            + h * self.end[:, -1] * u * (3 * u - 2)
-        )
-
     def pick(self, rows: NDArray[Any]) -> Bow:
         """Some of them."""
-        return Bow(self.first[rows], self.slope[rows], self.last[rows], self.end[rows])
+        return Bow(*(part[rows] for part in self))
+
+
+def bows(first: Any, slope: Any, last: Any, end: Any) -> Bow:
+    """Cubics whose length is the chord and what the arc of a circle adds to it."""
+    angle = ((end - slope) ** 2).sum(axis=-1)
+    return Bow(first, slope, last, end, np.linalg.norm(last - first, axis=-1) * (1 + angle / 24))
 
 
 def follow(
@@ -232,7 +234,7 @@ def _pieces(
         length, own = h[going][:, None], tangent[going]
         guess = w[going] + length * own
         # A cubic through the last two points and their tangents, gone on with.
-        bow = Bow(w_back[going], tangent_back[going], w[going], own)
+        bow = bows(w_back[going], tangent_back[going], w[going], own)
         guess = np.where(back[going][:, None], bow.at(1.0 + h[going] / bow.h), guess)
         first, _ = _bordered(curve, guess, scale[going], own)
         second, new = _bordered(curve, guess + first, scale[going], own)
@@ -307,7 +309,7 @@ def landed(
 
     Where it takes it several times, the last one counts.
     """
-    bow = Bow(*(np.array([getattr(a, x)[k] for a in arcs]) for k in (-2, -1) for x in FIELDS))
+    bow = bows(*(np.array([getattr(a, x)[k] for a in arcs]) for k in (-2, -1) for x in FIELDS))
     scale = np.array([a.scale for a in arcs])
     target = plane / (curve.high - curve.low)
     upward = np.array([a.side for a in arcs]) > 0
@@ -344,10 +346,10 @@ def turning(
 
     The slope of p along the curve is zero there to rounding, so p itself is as good as that.
     """
-    first, slope, last, end = (part.copy() for part in bow)
+    first, slope, last, end = (part.copy() for part in bow[:4])
     w, tangent = first, slope
     for _ in range(8):
-        own = Bow(first, slope, last, end)
+        own = bows(first, slope, last, end)
         low, high = np.zeros(len(w)), np.ones(len(w))
         for _ in range(30):
             middle = 0.5 * (low + high)

@@ -7,15 +7,16 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Bow, Curve, turning
+from ._arcs import Bow, Curve, bows, turning
 from ._charts import Chart, equations, normal, pack, unpack
 from ._flow import Flow
+from ._images import images
 from ._many_amplitudes import equilibria_of_many
 from ._nets import Link, Net, joined, nets
 from ._one_amplitude import equilibria_of_one
 from ._paths import solve
 from ._points import Points, bifurcations, points_of
-from ._records import Branch, Equilibria, Response
+from ._records import Bifurcation, Branch, Equilibria, Response
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -81,17 +82,17 @@ def response(
         return Response(name, (), ())
     sections, found = _sections(flow, p, c)
     parts = nets(flow, numbers, p[sections], found)
-    branches: list[Branch] = []
-    special: list[Any] = []
+    raw: list[_Raw] = []
     for net in parts:
         if len(sections) > 1:
             joined(net, p[sections])
-        own, marks = _branches(flow, net, p, c, sections)
-        branches += own
-        special += marks
+        raw += _branches(flow, net, p, c, sections)
     size = float(np.nanmax(np.abs(found.amplitudes), initial=0.0)) or 1.0
-    width = float(p[-1] - p[0])
-    return Response(name, tuple(branches), bifurcations(special, size, width))
+    marks = bifurcations([(flow, r.curve, r.points) for r in raw], size, float(p[-1] - p[0]))
+    branches = [_finished(r, marks, p) for r in raw]
+    long = [b for b in branches if len(b.parameter) > 1 or len(p) == 1]
+    alone = [b for b in branches if len(b.parameter) == 1 < len(p) and not _on_any(b, long, size)]
+    return Response(name, (*long, *alone), marks)
 
 
 def _sections(
@@ -131,6 +132,14 @@ def _wide(part: NDArray[Any], width: int) -> NDArray[Any]:
     return np.pad(part, missing, constant_values=np.nan)
 
 
+class _Raw(NamedTuple):
+    """A branch whose ends are open where it begins at a point that is its own mirror image."""
+
+    curve: Curve
+    points: Points
+    open: tuple[bool, bool]
+
+
 # --- points ---------------------------------------------------------------------------------------
 
 
@@ -157,7 +166,7 @@ def _bows(links: list[Link]) -> tuple[Bow, NDArray[Any], NDArray[np.int64], NDAr
         scale.append(np.repeat(arc.scale[None], steps, axis=0))
         owner.append(np.full(steps, k))
         place.append(np.arange(steps, dtype=np.float64))
-    bow = Bow(*(np.concatenate(x) for x in (first, slope, last, end)))
+    bow = bows(*(np.concatenate(x) for x in (first, slope, last, end)))
     return bow, np.concatenate(scale), np.concatenate(owner), np.concatenate(place)
 
 
@@ -170,11 +179,12 @@ def _samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> _Sa
     k = np.flatnonzero(turns & ~mirrored)
     w, tangent = turning(curve, bow.pick(k), scale[k])
     # A step with a fold becomes two, up to it and from it.
-    whole = Bow(*(np.concatenate((part, part[k])) for part in bow))
-    for part, value in zip(whole[:2], (w, tangent), strict=True):
+    parts = [np.concatenate((part, part[k])) for part in bow[:4]]
+    for part, value in zip(parts, (w, tangent, w, tangent), strict=True):
         part[len(owner) :] = value
-    for part, value in zip(whole[2:], (w, tangent), strict=True):
-        part[k] = value
+    parts[2][k], parts[3][k] = w, tangent
+    parts[2][len(owner) :], parts[3][len(owner) :] = bow.last[k], bow.end[k]
+    whole = bows(*parts)
     scales, owners = np.concatenate((scale, scale[k])), np.concatenate((owner, owner[k]))
     places = np.concatenate((place, place[k] + 0.5))
     sampled = _dense(curve, whole, scales, owners, places, p, c)
@@ -254,14 +264,15 @@ def _branches(
     p: NDArray[np.float64],
     c: NDArray[np.complex128],
     sections: NDArray[np.int64],
-) -> tuple[list[Branch], list[Any]]:
+) -> list[_Raw]:
+    """The branches of a net, at the given values and at their folds."""
     place = net.curve.place
     at = sections[net.section]
     nodes = _Samples(
         np.full(len(at), -1), np.arange(len(at)), p[at], np.array(net.x), np.zeros(len(at), bool)
     )
     if net.links:
-        between = _samples(net, p, c) if place.active else _resting(net, p)
+        between = _samples(net, p, c) if place.active else _resting(net, p, sections)
         order = np.lexsort((between.along, between.link))
         between = _Samples(*(part[order] for part in between))
         every = _Samples(*(np.concatenate(x) for x in zip(nodes, between, strict=True)))
@@ -273,7 +284,7 @@ def _branches(
         count + np.flatnonzero(between.link == k) if net.links else np.zeros(0, int)
         for k in range(len(net.links))
     ]
-    branches, marks = [], []
+    branches = []
     for chain in _chains(net):
         index, phases = _along(net, chain, inner)
         own = Points(*(part[index] for part in points))
@@ -283,18 +294,60 @@ def _branches(
                 place, own.amplitudes[:, list(place.active)] * np.exp(2j * np.pi * phases)
             )
             own = own._replace(amplitudes=turned)
-        branches.append(Branch(own.parameter, own.amplitudes, own.drift, own.growth))
-        marks.append((flow, net.curve, own))
-    return branches, marks
+        steps = chain[1]
+        first = bool(steps) and steps[0][1] and _terminal(net, steps[0][0])
+        last = bool(steps) and not steps[-1][1] and _terminal(net, steps[-1][0])
+        branches.append(_Raw(net.curve, own, (first, last)))
+    return branches
 
 
-def _resting(net: Net, p: NDArray[np.float64]) -> _Samples:
+def _finished(raw: _Raw, marks: tuple[Bifurcation, ...], p: NDArray[np.float64]) -> Branch:
+    """The branch, its open ends led on to the bifurcations where they come from."""
+    place = raw.curve.place
+    out = Branch(*raw.points[:4])
+    for k, is_open in zip((0, -1), raw.open, strict=True):
+        if not is_open:
+            continue
+        at = float(out.parameter[k])
+        near = int(np.clip(np.searchsorted(p, at), 1, len(p) - 1))
+        reach = 1.5 * float(np.diff(p[max(near - 2, 0) : near + 3]).max())
+        b = out.amplitudes[k]
+        found = [
+            m
+            for m in marks
+            if m.kind in ("pitchfork", "Hopf")
+            and abs(m.parameter - at) <= reach
+            and set(np.flatnonzero(np.abs(m.amplitudes))) < set(place.active)
+        ]
+        if not found:
+            continue
+        mark = min(found, key=lambda m: abs(m.parameter - at))
+        points = np.tile(mark.amplitudes, (len(images(place)), 1))
+        own = list(place.active)
+        points[:, own] *= np.exp(2j * np.pi * np.array(images(place)))
+        end = points[np.argmin(np.abs(points - b).max(axis=1))]
+        parts = (np.array([mark.parameter]), end[None], mark.drift[None], np.zeros(1))
+        pairs = [(x, y) if k == 0 else (y, x) for x, y in zip(parts, out, strict=True)]
+        out = Branch(*(np.concatenate(pair) for pair in pairs))
+    return out
+
+
+def _on_any(point: Branch, others: list[Branch], size: float) -> bool:
+    """Whether a single point lies on one of the other branches."""
+    for other in others:
+        same = other.parameter == point.parameter[0]
+        gap = np.abs(np.abs(other.amplitudes[same]) - np.abs(point.amplitudes)).max(axis=1)
+        if np.any(gap < 1e-6 * size):
+            return True
+    return False
+
+
+def _resting(net: Net, p: NDArray[np.float64], sections: NDArray[np.int64]) -> _Samples:
     """All values between the nodes of amplitudes that are all zero."""
-    width = net.curve.high - net.curve.low
     links, along, values = [], [], []
     for k, link in enumerate(net.links):
-        ends = np.sort(link.arc.points[:, -1] * width)
-        inside = p[(p > ends[0]) & (p < ends[1])]
+        ends = sorted(int(sections[net.section[node]]) for node in (link.start, link.end))
+        inside = p[ends[0] + 1 : ends[1]]
         inside = inside if link.start_side > 0 else inside[::-1]
         links.append(np.full(len(inside), k))
         along.append(np.arange(len(inside), dtype=np.float64))

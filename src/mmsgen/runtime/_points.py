@@ -172,12 +172,14 @@ def _crossings(
     folds = np.cumsum(points.fold)
     for test, kind in ((points.steady, _at_branching), (points.swinging, _at_hopf)):
         sure = np.flatnonzero((test != 0.0) & ~points.fold & np.isfinite(test))
-        for a, b in zip(sure[:-1], sure[1:], strict=True):
-            if test[a] * test[b] < 0.0 and folds[a] == folds[b] and b - a <= 3:
-                which = 0 if kind is _at_branching else 1
-                place = _located(flow, curve, points, int(a), int(b), which)
-                if place is not None:
-                    found.append(kind(flow, curve, place, size))
+        first, last = sure[:-1], sure[1:]
+        change = np.sign(test[first]) * np.sign(test[last]) < 0.0
+        change &= (folds[first] == folds[last]) & (last - first <= 3)
+        for a, b in zip(first[change], last[change], strict=True):
+            which = 0 if kind is _at_branching else 1
+            place = _located(flow, curve, points, int(a), int(b), which)
+            if place is not None:
+                found.append(kind(flow, curve, place, size))
     return found
 
 
