@@ -92,7 +92,9 @@ def test_a_case_that_is_not_emitted(
     project: Project, outcomes: dict, options: tuple[str, ...]
 ) -> None:
     """It is named with the reason, in one piece, and the other derivations are made."""
-    failure = "edges of Omega = 2*omega [x] at order 2: " + "the error falls like ε^1.50, " * 5 + "end"
+    failure = (
+        "edges of Omega = 2*omega [x] at order 2: " + "the error falls like ε^1.50, " * 5 + "end"
+    )
     outcomes["another"] = Outcome("another", (), (failure, "second"))
     result = run(*options)
     assert result.exit_code == 1

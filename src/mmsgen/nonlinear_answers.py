@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any, cast
 import sympy as sp
 
 from .equilibria import equilibria
+from .frequency_response import frequency_response
 from .response_relation import OneAmplitude, one_amplitude
-from .runtime._records import Equilibria
+from .runtime._records import Equilibria, Response
 
 if TYPE_CHECKING:
     from .amplitude_flow import AmplitudeFlow
@@ -58,6 +59,32 @@ class NonlinearAnswers:
             free oscillator, for which `backbone` is the answer.
         """
         return equilibria(self.table, self._with_detunings(values))
+
+    def frequency_response(self, values: Mapping[Any, Any], over: Any = None) -> Response:
+        """All equilibria along one parameter: branches through folds, stability, bifurcations.
+
+        Parameters
+        ----------
+        values : mapping
+            As for `growth_rate`, all of them numbers but one, which is an array of one dimension.
+        over : symbol or str, optional
+            The parameter that varies; by default the one whose value is an array. A frequency that
+            a detuning follows from is as good as the detuning.
+
+        Returns
+        -------
+        Response
+            ``branches``, at the given values in order along each curve and at its folds, and
+            ``bifurcations``: saddle-nodes, pitchforks, transcritical and Hopf points.
+
+        Raises
+        ------
+        ExpansionError
+            If no frame makes the slow flow autonomous.
+        MmsgenError
+            As for `equilibria`; or if not exactly one value is an array of one dimension.
+        """
+        return frequency_response(self.table, self._with_detunings, values, over)
 
     # -- formulas for one amplitude ------------------------------------------------------
 

@@ -60,7 +60,7 @@ class Curve(NamedTuple):
     def system(
         self, w: NDArray[np.float64], scale: NDArray[np.float64]
     ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Values and derivatives at w = (x/scale, p/(high − low)), shapes (K, d) and (K, d, d+1)."""
+        """Values and derivatives at w = (x/scale, p/width), shapes (K, d) and (K, d, d + 1)."""
         width = self.high - self.low
         c, slope = self.at(w[:, -1] * width)
         b, rate = unpack(self.place, w[:, :-1] * scale)
@@ -198,7 +198,7 @@ def follow(
     scale = np.repeat(size[:, None], x.shape[1], axis=1)
     for pivot in curve.place.pivots:  # rates of drift have another unit
         c, _ = curve.at(p)
-        f, matrices = equations(curve.place, c, *unpack(curve.place, x))
+        _, matrices = equations(curve.place, c, *unpack(curve.place, x))
         across = np.abs(matrices[:, :, 2 * pivot + 1]).max(axis=1)
         along = np.abs(matrices[:, :, 0::2]).max(axis=(1, 2))
         scale[:, 2 * pivot + 1] = along * size / np.maximum(across, 1e-300)
@@ -253,7 +253,9 @@ def _pieces(
             tangents[k].append(tangent[k].copy())
         longer = np.minimum(h[going] * wish, LONGEST)
         h[going] = np.where(good, longer, h[going] * np.minimum(wish, 0.5))
-        side[done] = np.where(w[done, -1] >= high[done], 1, np.where(w[done, -1] <= low[done], -1, 0))
+        side[done] = np.where(
+            w[done, -1] >= high[done], 1, np.where(w[done, -1] <= low[done], -1, 0)
+        )
         going = going[(side[going] == 0) & (h[going] > SHORTEST)]
     return [
         Arc(np.array(a), np.array(t), scale[k], int(side[k]))

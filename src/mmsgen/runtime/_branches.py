@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Bow, Curve, bows, turning
-from ._charts import Chart, equations, normal, pack, unpack
+from ._arcs import Curve
+from ._charts import normal
 from ._flow import Flow
 from ._images import images
 from ._many_amplitudes import equilibria_of_many
-from ._nets import Link, Net, joined, nets
+from ._nets import Net, joined, nets
 from ._one_amplitude import equilibria_of_one
-from ._paths import solve
 from ._points import Points, bifurcations, points_of
 from ._records import Bifurcation, Branch, Equilibria, Response
+from ._samples import Samples, mirrored, samples, samples_at_rest
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["response"]
+__all__ = ["response_of"]
 
 SECTIONS = 48
 """Values of the parameter at which all equilibria of several amplitudes are computed, at first."""
@@ -29,7 +30,7 @@ SECTIONS = 48
 SECTIONS_OF_ONE = 64
 
 
-def response(
+def response_of(
     flow: Flow, coefficients: Callable[[Any], Any], values: Any, name: str = ""
 ) -> Response:
     """All equilibria along one parameter, their branches and bifurcations.
@@ -103,14 +104,14 @@ def _sections(
         every = equilibria_of_one(flow, c)
         number = every.number
         chosen = np.unique(np.linspace(0, len(p) - 1, SECTIONS_OF_ONE).round().astype(np.int64))
-        more = []
-        for a, b in zip(chosen[:-1], chosen[1:], strict=True):
+        tops = []
+        for a, b in pairwise(chosen):
             # A closed branch between two sections shows in the number of equilibria there.
             top = a + int(np.argmax(number[a : b + 1]))
             if number[top] > max(number[a], number[b]):
-                more.append(top)
-        chosen = np.unique(np.concatenate((chosen, np.array(more, dtype=np.int64))))
-        return chosen, Equilibria(*(part[chosen] for part in every))
+                tops.append(top)
+        chosen = np.unique(np.concatenate((chosen, np.array(tops, dtype=np.int64))))
+        return chosen, _picked(every, chosen)
     chosen = np.unique(np.linspace(0, len(p) - 1, SECTIONS).round().astype(np.int64))
     found = equilibria_of_many(flow, c[chosen])
     change = np.diff(found.number) != 0
@@ -119,11 +120,17 @@ def _sections(
     if len(middle):
         more = equilibria_of_many(flow, c[middle])
         width = max(found.amplitudes.shape[1], more.amplitudes.shape[1])
-        both = [np.concatenate((_wide(a, width), _wide(b, width))) for a, b in zip(found, more)]
+        wide = zip(found, more, strict=True)
+        both: list[Any] = [np.concatenate((_wide(a, width), _wide(b, width))) for a, b in wide]
         chosen = np.concatenate((chosen, middle))
         order = np.argsort(chosen)
-        chosen, found = chosen[order], Equilibria(*(part[order] for part in both))
+        chosen, found = chosen[order], _picked(Equilibria(*both), order)
     return chosen, found
+
+
+def _picked(found: Equilibria, rows: NDArray[np.int64]) -> Equilibria:
+    parts: list[Any] = [part[rows] for part in found]
+    return Equilibria(*parts)
 
 
 def _wide(part: NDArray[Any], width: int) -> NDArray[Any]:
@@ -140,121 +147,6 @@ class _Raw(NamedTuple):
     open: tuple[bool, bool]
 
 
-# --- points ---------------------------------------------------------------------------------------
-
-
-class _Samples(NamedTuple):
-    """Points of links: which link, how far along it, p, real unknowns, whether p turns there."""
-
-    link: NDArray[np.int64]
-    along: NDArray[np.float64]
-    p: NDArray[np.float64]
-    x: NDArray[np.float64]
-    fold: NDArray[np.bool_]
-
-
-def _bows(links: list[Link]) -> tuple[Bow, NDArray[Any], NDArray[np.int64], NDArray[np.float64]]:
-    """Steps of all links, their scales, their links and their places along these."""
-    first, slope, last, end, scale, owner, place = [], [], [], [], [], [], []
-    for k, link in enumerate(links):
-        arc = link.arc
-        first.append(arc.points[:-1])
-        slope.append(arc.tangents[:-1])
-        last.append(arc.points[1:])
-        end.append(arc.tangents[1:])
-        steps = len(arc.points) - 1
-        scale.append(np.repeat(arc.scale[None], steps, axis=0))
-        owner.append(np.full(steps, k))
-        place.append(np.arange(steps, dtype=np.float64))
-    bow = bows(*(np.concatenate(x) for x in (first, slope, last, end)))
-    return bow, np.concatenate(scale), np.concatenate(owner), np.concatenate(place)
-
-
-def _samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> _Samples:
-    """Points of all links at the given values between the nodes, and their folds."""
-    curve = net.curve
-    bow, scale, owner, place = _bows(net.links)
-    mirrored = np.array([_mirrored(link) for link in net.links])[owner]
-    turns = (bow.slope[:, -1] > 0.0) != (bow.end[:, -1] > 0.0)
-    k = np.flatnonzero(turns & ~mirrored)
-    w, tangent = turning(curve, bow.pick(k), scale[k])
-    # A step with a fold becomes two, up to it and from it.
-    parts = [np.concatenate((part, part[k])) for part in bow[:4]]
-    for part, value in zip(parts, (w, tangent, w, tangent), strict=True):
-        part[len(owner) :] = value
-    parts[2][k], parts[3][k] = w, tangent
-    parts[2][len(owner) :], parts[3][len(owner) :] = bow.last[k], bow.end[k]
-    whole = bows(*parts)
-    scales, owners = np.concatenate((scale, scale[k])), np.concatenate((owner, owner[k]))
-    places = np.concatenate((place, place[k] + 0.5))
-    sampled = _dense(curve, whole, scales, owners, places, p, c)
-    folds = _Samples(
-        owner[k], place[k] + 0.5, w[:, -1] * (p[-1] - p[0]), w[:, :-1] * scale[k], np.ones(len(k), bool)
-    )
-    return _Samples(*(np.concatenate(parts) for parts in zip(sampled, folds, strict=True)))
-
-
-def _mirrored(link: Link) -> bool:
-    """Whether a piece comes back to an image of where it began, through a point that has none."""
-    return (link.start, link.start_side) == (link.end, link.end_side)
-
-
-def _dense(
-    curve: Curve,
-    bow: Bow,
-    scale: NDArray[np.float64],
-    owner: NDArray[np.int64],
-    place: NDArray[np.float64],
-    p: NDArray[np.float64],
-    c: NDArray[np.complex128],
-) -> _Samples:
-    """Points at the given values in steps along which p does not turn."""
-    width = curve.high - curve.low
-    ends = np.stack((bow.first[:, -1], bow.last[:, -1])) * width
-    low = np.searchsorted(p, ends.min(axis=0) + 1e-14 * width, side="right")
-    high = np.searchsorted(p, ends.max(axis=0) - 1e-14 * width, side="left")
-    number = np.maximum(high - low, 0)
-    step = np.repeat(np.arange(len(owner)), number)
-    first = np.cumsum(number) - number
-    index = np.arange(len(step)) - first[step] + low[step]
-    own = bow.pick(step)
-    u = own.where(p[index] / width)
-    x = own.at(u, slice(None, -1)) * scale[step]
-    x = _polished(curve.place, c[index], x, scale[step])
-    half = np.where(place[step] % 1.0 > 0.0, 0.5, 1.0)
-    half = np.where(np.isin(step, np.flatnonzero(_split(owner, place))), 0.5, half)
-    return _Samples(
-        owner[step], place[step] + half * u * 0.999, p[index], x, np.zeros(len(step), bool)
-    )
-
-
-def _split(owner: NDArray[np.int64], place: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Steps that have been cut at a fold: their first halves."""
-    cut = place % 1.0 > 0.0
-    later = {(int(o), float(s)) for o, s in zip(owner[cut], place[cut] - 0.5, strict=True)}
-    return np.array([(int(o), float(s)) in later for o, s in zip(owner, place)], dtype=bool)
-
-
-def _polished(
-    place: Chart, c: NDArray[Any], x: NDArray[np.float64], scale: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """Newton's method at given coefficients, each point until it is there."""
-    x = x.copy()
-    own = c[:, list(place.columns)]
-    todo = np.arange(len(x))
-    with np.errstate(all="ignore"):
-        for _ in range(8):
-            if not len(todo):
-                break
-            f, matrices = equations(place, own[todo], *unpack(place, x[todo]))
-            step = -solve(matrices, f[..., None])[..., 0]
-            good = np.isfinite(step).all(axis=1)
-            x[todo[good]] += step[good]
-            # Newton's method doubles the digits: what is left is below the rounding.
-            todo = todo[good & (np.abs(step / scale[todo]).max(axis=1) > 1e-7)]
-    return x
-
-
 # --- branches -------------------------------------------------------------------------------------
 
 
@@ -268,14 +160,14 @@ def _branches(
     """The branches of a net, at the given values and at their folds."""
     place = net.curve.place
     at = sections[net.section]
-    nodes = _Samples(
-        np.full(len(at), -1), np.arange(len(at)), p[at], np.array(net.x), np.zeros(len(at), bool)
+    nodes = Samples(
+        np.full(len(at), -1), np.zeros(len(at)), p[at], np.array(net.x), np.zeros(len(at), bool)
     )
     if net.links:
-        between = _samples(net, p, c) if place.active else _resting(net, p, sections)
+        between = samples(net, p, c) if place.active else samples_at_rest(net, p, sections)
         order = np.lexsort((between.along, between.link))
-        between = _Samples(*(part[order] for part in between))
-        every = _Samples(*(np.concatenate(x) for x in zip(nodes, between, strict=True)))
+        between = between.pick(order)
+        every = nodes.and_then(between)
     else:
         between, every = nodes, nodes
     points = points_of(flow, net.curve, every.p, every.x, every.fold)
@@ -287,7 +179,7 @@ def _branches(
     branches = []
     for chain in _chains(net):
         index, phases = _along(net, chain, inner)
-        own = Points(*(part[index] for part in points))
+        own = points.pick(index)
         if place.active:
             turned = own.amplitudes.copy()
             turned[:, list(place.active)] = normal(
@@ -342,26 +234,6 @@ def _on_any(point: Branch, others: list[Branch], size: float) -> bool:
     return False
 
 
-def _resting(net: Net, p: NDArray[np.float64], sections: NDArray[np.int64]) -> _Samples:
-    """All values between the nodes of amplitudes that are all zero."""
-    links, along, values = [], [], []
-    for k, link in enumerate(net.links):
-        ends = sorted(int(sections[net.section[node]]) for node in (link.start, link.end))
-        inside = p[ends[0] + 1 : ends[1]]
-        inside = inside if link.start_side > 0 else inside[::-1]
-        links.append(np.full(len(inside), k))
-        along.append(np.arange(len(inside), dtype=np.float64))
-        values.append(inside)
-    count = sum(map(len, values))
-    return _Samples(
-        np.concatenate(links),
-        np.concatenate(along),
-        np.concatenate(values),
-        np.zeros((count, 0)),
-        np.zeros(count, bool),
-    )
-
-
 Step = tuple[int, bool]
 """A link and whether it is passed from its end to its start."""
 
@@ -413,7 +285,7 @@ def _chains(net: Net) -> list[tuple[int, list[Step]]]:
 
 def _terminal(net: Net, k: int) -> bool:
     """Whether a branch ends in a link."""
-    return _mirrored(net.links[k]) or net.links[k].end < 0
+    return mirrored(net.links[k]) or net.links[k].end < 0
 
 
 def _along(
@@ -427,7 +299,7 @@ def _along(
     phases = [np.zeros((len(index[0]), width))]
     for k, back in steps:
         link, ends = net.links[k], _terminal(net, k)
-        own = inner[k][: len(inner[k]) // 2] if _mirrored(link) else inner[k]
+        own = inner[k][: len(inner[k]) // 2] if mirrored(link) else inner[k]
         own = own[::-1] if back else own
         shift = np.zeros(width) if ends else np.array(link.phases)
         phase = phase - shift if back else phase

@@ -37,7 +37,10 @@ class Chart(NamedTuple):
     drifts : tuple of int
         Symmetries of the whole flow along which points drift.
     mixing : tuple of tuple of float
-        Rates of drift of the whole flow = rates along the symmetries of `flow` @ mixing.
+        Rates of drift of the whole flow = rates along the symmetries of `flow` @ mixing; where
+        several do the same, those with the least squares.
+    parts : tuple of tuple of float
+        The other way: rates along the symmetries of `flow` = those of the whole flow @ parts.
     twins : tuple of tuple of float
         Phases, in turns, of the points of an orbit that have the pivots real as well.
     """
@@ -48,6 +51,7 @@ class Chart(NamedTuple):
     pivots: tuple[int, ...]
     drifts: tuple[int, ...]
     mixing: tuple[tuple[float, ...], ...]
+    parts: tuple[tuple[float, ...], ...]
     twins: tuple[tuple[float, ...], ...]
 
 
@@ -94,7 +98,9 @@ def chart(flow: Flow, active: tuple[int, ...]) -> Chart:
             own = tuple(x for a in active for x in e[3 * a : 3 * a + 3])
             terms.append((active.index(j), own))
             columns.append(m)
-    mixing = np.linalg.lstsq(np.array(plain).T, np.array(rows).T, rcond=None)[0].T if rows else []
+    every = np.array(flow.symmetries, dtype=float).reshape(-1, flow.n)[:, list(active)]
+    echelon = np.array(rows, dtype=float).reshape(len(rows), len(active))
+    mixing, parts = echelon @ np.linalg.pinv(every), every @ np.linalg.pinv(echelon)
     return Chart(
         Flow(len(active), tuple(terms), tuple(map(tuple, rows))),
         tuple(columns),
@@ -102,6 +108,7 @@ def chart(flow: Flow, active: tuple[int, ...]) -> Chart:
         tuple(pivots),
         drifts,
         tuple(tuple(map(float, np.round(row, 12))) for row in mixing),
+        tuple(tuple(map(float, np.round(row, 12))) for row in parts),
         _twins(rows, pivots, len(active)),
     )
 

@@ -135,7 +135,7 @@ def _with_active(
     whole, drift = np.zeros((len(rows), flow.n), complex), np.zeros((len(rows), g))
     whole[:, list(active)] = normal(place, b)
     if place.drifts:
-        drift[:, list(place.drifts)] = turns @ np.array(place.mixing)
+        drift = turns @ np.array(place.mixing)
     return rows, whole, drift
 
 
@@ -143,7 +143,7 @@ def _in_chart(place: Any, b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any
     """Amplitudes with real pivots, and rates along the symmetries in echelon form."""
     if not place.pivots:
         return b, rate
-    return normal(place, b), rate @ np.linalg.inv(np.array(place.mixing))
+    return normal(place, b), rate @ np.array(place.parts)[list(place.drifts)]
 
 
 def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.float64]]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ._arcs import Arc, Curve, follow, landed
-from ._charts import Chart, chart, normal, pack, unpack
+from ._charts import chart, normal, pack, unpack
 from ._flow import Flow
 from ._images import images, turned
 
@@ -94,7 +94,7 @@ def nets(flow: Flow, coefficients: Any, p: NDArray[np.float64], found: Equilibri
             place = net.curve.place
             rate = np.zeros(0)
             if place.drifts:
-                rate = drift[list(place.drifts)] @ np.linalg.inv(np.array(place.mixing))
+                rate = drift @ np.array(place.parts)
             own = b[list(active)]
             if _match(net, i, own) is None:
                 net.section.append(i)
@@ -185,5 +185,3 @@ def _straight(net: Net, p: NDArray[np.float64], todo: list[tuple[int, int]]) -> 
         arc = Arc(ends[:, None], np.full((2, 1), float(side)), np.zeros(0), side)
         if section + side in at:
             net.links.append(Link(node, side, at[section + side], -side, (), arc))
-
-

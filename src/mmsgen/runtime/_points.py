@@ -48,6 +48,11 @@ class Points(NamedTuple):
     swinging: NDArray[np.float64]
     fold: NDArray[np.bool_]
 
+    def pick(self, rows: Any) -> Points:
+        """Some of them."""
+        parts: list[Any] = [part[rows] for part in self]
+        return Points(*parts)
+
 
 def points_of(
     flow: Flow,
@@ -63,7 +68,7 @@ def points_of(
     whole[:, list(place.active)] = b
     drift = np.zeros((len(p), len(flow.symmetries)))
     if place.drifts:
-        drift[:, list(place.drifts)] = rate @ np.array(place.mixing)
+        drift = rate @ np.array(place.mixing)
     c = curve.coefficients(p)
     if flow.n == 1:
         growth, steady, swinging = _planar(flow, c, whole, drift)
@@ -149,7 +154,9 @@ def bifurcations(
                 break
         else:
             kept.append(b)
-    return tuple(sorted(kept, key=lambda b: (b.parameter, b.kind, float(np.abs(b.amplitudes).sum()))))
+    return tuple(
+        sorted(kept, key=lambda b: (b.parameter, b.kind, float(np.abs(b.amplitudes).sum())))
+    )
 
 
 def _at_fold(flow: Flow, curve: Curve, points: Points, k: int) -> _Mark:
@@ -158,15 +165,15 @@ def _at_fold(flow: Flow, curve: Curve, points: Points, k: int) -> _Mark:
     c, slope = curve.at(p)
     _, matrices = equations(curve.place, c, *unpack(curve.place, x))
     left = np.linalg.svd(matrices[0])[0][:, -1]
-    by, _ = equations(curve.place, slope, unpack(curve.place, x)[0], np.zeros((1, len(curve.place.pivots))))
+    by, _ = equations(
+        curve.place, slope, unpack(curve.place, x)[0], np.zeros((1, len(curve.place.pivots)))
+    )
     kind = "saddle-node" if np.abs(left @ by[0]) > 1e-4 * np.linalg.norm(by[0]) else "pitchfork"
     point = Bifurcation(kind, float(p[0]), points.amplitudes[k], points.drift[k], 0.0)
     return _Mark(point, 0 if kind == "saddle-node" else 2)
 
 
-def _crossings(
-    flow: Flow, curve: Curve, points: Points, size: float
-) -> list[_Mark | None]:
+def _crossings(flow: Flow, curve: Curve, points: Points, size: float) -> list[_Mark | None]:
     """Places where a product changes its sign between two points without a fold between them."""
     found: list[_Mark | None] = []
     folds = np.cumsum(points.fold)
@@ -183,9 +190,7 @@ def _crossings(
     return found
 
 
-def _located(
-    flow: Flow, curve: Curve, points: Points, a: int, b: int, which: int
-) -> Points | None:
+def _located(flow: Flow, curve: Curve, points: Points, a: int, b: int, which: int) -> Points | None:
     """The point between two neighbours where a product vanishes: false position, Illinois."""
 
     def at(p: float, x: NDArray[np.float64]) -> Points:
@@ -201,7 +206,7 @@ def _located(
     def value(points: Points) -> float:
         return float((points.steady, points.swinging)[which][0])
 
-    ends = [Points(*(part[k : k + 1] for part in points)) for k in (a, b)]
+    ends = [points.pick(slice(k, k + 1)) for k in (a, b)]
     values = [value(e) for e in ends]
     best = ends[0]
     kept = -1
@@ -212,7 +217,9 @@ def _located(
         share = values[0] / (values[0] - values[1])
         if not 0.0 < share < 1.0:
             share = 0.5
-        best = at(p[0] + share * (p[1] - p[0]), ends[0].x[0] + share * (ends[1].x[0] - ends[0].x[0]))
+        best = at(
+            p[0] + share * (p[1] - p[0]), ends[0].x[0] + share * (ends[1].x[0] - ends[0].x[0])
+        )
         now = value(best)
         if now == 0.0 or not np.isfinite(now):
             break
@@ -280,7 +287,9 @@ def _at_branching(flow: Flow, curve: Curve, place: Points, size: float) -> _Mark
         step = np.zeros(flow.n, dtype=np.complex128)
         step[active] = (direction[0::2] + 1j * direction[1::2]) / 2.0
     h = 1e-3 * size
-    bend = (derivative(place.amplitudes + h * step) - derivative(place.amplitudes - h * step)) @ right
+    bend = (
+        derivative(place.amplitudes + h * step) - derivative(place.amplitudes - h * step)
+    ) @ right
     bend /= 2.0 * h
     # Of an even flow the curvature vanishes up to the rounding of the difference.
     flat = abs(left @ bend) < 1e-6 * max(float(np.linalg.norm(bend)), scale / size)
