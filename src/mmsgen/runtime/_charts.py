@@ -107,8 +107,8 @@ def chart(flow: Flow, active: tuple[int, ...]) -> Chart:
         active,
         tuple(pivots),
         drifts,
-        tuple(tuple(map(float, np.round(row, 12))) for row in mixing),
-        tuple(tuple(map(float, np.round(row, 12))) for row in parts),
+        tuple(tuple(map(float, row)) for row in mixing),
+        tuple(tuple(map(float, row)) for row in parts),
         _twins(rows, pivots, len(active)),
     )
 

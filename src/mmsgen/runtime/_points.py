@@ -76,6 +76,8 @@ def points_of(
         values = spectrum(flow, c, whole, drift if len(flow.symmetries) else None)
         growth = values[:, 0].real
         steady, swinging = _products(values)
+    # At a fold an eigenvalue is zero; the square root of the rounding is left of it.
+    growth[fold & (np.abs(growth) <= 1e-6 * np.abs(growth).max(initial=0.0))] = 0.0
     return Points(p, whole, drift, growth, x, steady, swinging, fold)
 
 
@@ -237,9 +239,12 @@ def _at_hopf(flow: Flow, curve: Curve, place: Points, size: float) -> _Mark | No
     values = values[np.isfinite(values)]
     first, second = np.triu_indices(len(values), 1)
     k = int(np.argmin(np.abs(values[first] + values[second])))
-    one = values[first[k]]
-    if abs(one.imag) < 1e-6 * np.abs(values).max() and abs(one.real) > 1e-6 * np.abs(values).max():
-        return None
+    one, scale = values[first[k]], 1e-6 * np.abs(values).max()
+    if abs(one.imag) < scale:
+        if abs(one.real) > scale:
+            return None
+        if not flow.symmetries:  # two eigenvalues vanish together, as B → B e^{2πi/3} makes them
+            return _at_branching(flow, curve, place, size)
     frequency = float(abs(one.imag))
     point = Bifurcation(
         "Hopf", float(place.parameter[0]), place.amplitudes[0], place.drift[0], frequency

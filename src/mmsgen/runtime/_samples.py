@@ -58,9 +58,9 @@ def samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> Samp
     """Points of all links at the given values between the nodes, and their folds."""
     curve = net.curve
     bow, scale, owner, place = _bows(net.links)
-    mirrored = np.array([mirrored(link) for link in net.links])[owner]
+    back = np.array([mirrored(link) for link in net.links])[owner]
     turns = (bow.slope[:, -1] > 0.0) != (bow.end[:, -1] > 0.0)
-    k = np.flatnonzero(turns & ~mirrored)
+    k = np.flatnonzero(turns & ~back)
     w, tangent = turning(curve, bow.pick(k), scale[k])
     # A step with a fold becomes two, up to it and from it.
     parts = [np.concatenate((part, part[k])) for part in bow[:4]]
