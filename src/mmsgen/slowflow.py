@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import sympy as sp
 
 from .amplitude_flow import AmplitudeFlow, amplitude_flow
+from .cycle_answers import CycleAnswers
 from .errors import ExpansionError
 from .expressions import rational
 from .linear_answers import LinearAnswers
@@ -34,7 +35,7 @@ __all__ = ["SlowFlow", "slow_flow"]
 
 
 @dataclass(frozen=True)
-class SlowFlow(LinearAnswers, NonlinearAnswers):
+class SlowFlow(LinearAnswers, NonlinearAnswers, CycleAnswers):
     """The slow flow of a case.
 
     Attributes

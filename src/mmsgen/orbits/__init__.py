@@ -14,6 +14,7 @@ from .fields import Autonomous, Problem, autonomous
 from .finding import find, settle
 from .folds import fold
 from .following import Path, follow
+from .hopf import born
 from .mechanical import Mechanical, problem
 from .records import PeriodicOrbit
 from .specials import Special
@@ -26,6 +27,7 @@ __all__ = [
     "Problem",
     "Special",
     "autonomous",
+    "born",
     "find",
     "fold",
     "follow",

@@ -24,6 +24,7 @@ from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
+import scipy  # loads its subpackages when they are first used
 
 from ..errors import OrbitError
 from ..floquet.collocation import GaussTable, gauss_table
@@ -46,6 +47,9 @@ NOISE = 1e-12
 
 FAMILY = 1e-7
 """Singular values below this, over the largest, belong to the direction of a family."""
+
+SPARSE = 300
+"""Unknowns from which a sparse solver is faster: few blocks of the matrix are not zero."""
 
 SMALL = 1e-3
 """States that are smaller than this, over the largest, are measured by it."""
@@ -237,9 +241,10 @@ class Linearised:
     @property
     def monodromy(self) -> Floats:
         """Φ, the product of the transition matrices."""
-        result = np.eye(self.transitions.shape[1])
-        for part in self.transitions:
-            result = part @ result
+        result: Floats = np.eye(self.transitions.shape[1])
+        with np.errstate(all="ignore"):
+            for part in self.transitions:
+                result = part @ result
         return result
 
     def change(self, right: Floats | None = None) -> Curve:
@@ -247,11 +252,14 @@ class Linearised:
         count, _, d, _ = self.inner.shape
         try:
             own = self.right if right is None else right
-            if self.isolated:
+            if self.isolated and len(own) > SPARSE:
+                factors = scipy.sparse.linalg.splu(scipy.sparse.csc_matrix(self.matrix))
+                solution = factors.solve(own)
+            elif self.isolated:
                 solution = np.linalg.solve(self.matrix, own)
             else:
                 solution = np.linalg.lstsq(self.matrix, own, rcond=FAMILY)[0]
-        except np.linalg.LinAlgError:
+        except (np.linalg.LinAlgError, RuntimeError):
             raise OrbitError(
                 "the equations of the periodic orbit are singular: orbits are not isolated here, "
                 "as in a conservative system: try isolated=False"

@@ -30,6 +30,9 @@ TOLERANCE = 1e-10
 RTOL = 1e-6
 """Tolerance of integrations, which only make guesses."""
 
+STILL = 1e-4
+"""Rates below this, over those of a motion of that size, are what integration leaves of rest."""
+
 NEAR = 0.2
 """A motion has come back where it is this near, over its extent."""
 
@@ -307,8 +310,9 @@ def settle(problem: Problem, start: Any, time: float) -> tuple[Floats, float]:
     if y.shape != (problem.size,) or not np.isfinite(y).all():
         raise OrbitError(f"the start must be one state of {problem.size} numbers")
     here = _integrated(problem, y, np.array([time]), time)[:, -1]
-    along = problem.rates(np.zeros(1), here[:, None])[0][0]
-    if not np.linalg.norm(along) > 1e-9 * (np.linalg.norm(here) + 1e-300):
+    rates, jacobians = problem.rates(np.zeros(1), here[:, None])
+    along, speed = rates[0], float(np.linalg.norm(jacobians[0], 2))
+    if not np.linalg.norm(along) > STILL * speed * np.linalg.norm(here):
         raise OrbitError("the motion comes to rest: there is no cycle to be found from here")
     period = _return_time(problem, here, along, time)
     even = period / 128 * np.arange(128)

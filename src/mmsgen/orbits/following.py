@@ -33,6 +33,9 @@ STRAIGHT = 0.98
 
 LONGER = 1.6
 
+COARSE = 1e-5
+"""Error of the states, over their size, from which an orbit does not count as found."""
+
 SHORTEST = 1e-3
 """Shortest step, over the first one."""
 
@@ -71,8 +74,9 @@ class Path:
         Folds and bifurcations on the way.
     reason : str
         Why it ends: ``"reached"`` the value asked for, ``"left"`` the range at its other end,
-        ``"closed"`` upon itself, ``"interrupted"``, ``"points"`` are as many as were allowed, or
-        ``"stuck"``, because no step is short enough.
+        ``"closed"`` upon itself, ``"interrupted"``, ``"points"`` are as many as were allowed,
+        ``"long"``, because the period became as long as was allowed (as it does near a homoclinic
+        orbit), or ``"stuck"``, because no step is short enough or no mesh fine enough.
     """
 
     parameter: str
@@ -120,6 +124,8 @@ class _Walk:
         except OrbitError:
             return None
         setting = new.solved.setting
+        if new.solved.gap > COARSE:
+            return None
         bent = cosine(setting, last.tangent, new.tangent)
         away = moved_by(setting, last.solved.curve, new.solved.curve)
         return new if bent > BENDING and away < 1.5 * length else None
@@ -143,6 +149,7 @@ def follow(
     *,
     largest: float = 0.2,
     points: int = 400,
+    longest: float = np.inf,
     tolerance: float = TOLERANCE,
     progress: Callable[[PeriodicOrbit, float], Any] | None = None,
 ) -> Path:
@@ -157,12 +164,14 @@ def follow(
     parameter : str or sympy.Symbol
         What is varied.
     until : float or tuple of float
-        Its last value; or its range (low, high), the first of which is where the path heads for
-        first if it is farther from the orbit's own value, and which the path may not leave.
+        Its last value; or the two ends of the range that the path may not leave, the one that it
+        heads for at first being the first.
     step, largest : float
         First and largest step, where the range and the size of the motion are 1.
     points : int
         Orbits at most.
+    longest : float
+        Period in s after which the path ends.
     tolerance : float
         As for `find`.
     progress : callable, optional
@@ -184,7 +193,7 @@ def follow(
     low, high, sign = _range(start, until)
     walk = _begun(problem, orbit, name, (low, high), sign, tolerance)
     orbits = [walk.points[0].solved.orbit()]
-    length, reason = step, "points"
+    length, reason = step, ""
     try:
         while len(walk.points) < points:
             new = walk.step(length)
@@ -203,18 +212,24 @@ def follow(
             walk.points.append(new)
             orbits.append(new.solved.orbit())
             told = progress(orbits[-1], new.value) if progress else None
-            if outside or told is False:
-                reason = reason if outside else "interrupted"
-                break
-            if _closed(walk, length):
-                reason = "closed"
+            reason = reason if outside else _stop(walk, length, told, longest)
+            if reason:
                 break
             length = _next(walk, length, largest)
     except KeyboardInterrupt:
         reason = "interrupted"
     found = len(orbits)
     values = np.array([p.value for p in walk.points[:found]])
-    return Path(name, tuple(orbits), values, tuple(walk.specials), reason)
+    return Path(name, tuple(orbits), values, tuple(walk.specials), reason or "points")
+
+
+def _stop(walk: _Walk, length: float, told: Any, longest: float) -> str:
+    """Why the path ends here, empty where it goes on."""
+    if told is False:
+        return "interrupted"
+    if 2 * np.pi / walk.points[-1].solved.curve.frequency > longest:
+        return "long"
+    return "closed" if _closed(walk, length) else ""
 
 
 def _range(start: float, until: float | tuple[float, float]) -> tuple[float, float, float]:

@@ -69,15 +69,17 @@ def tests(point: Point) -> dict[str, float]:
     setting: Setting = solved.setting
     own = setting.of(solved.curve.value)
     matrix = transverse(own, solved.curve, solved.pair[1].monodromy, setting.scale)
-    one = np.eye(len(matrix))
-    values = np.linalg.eigvals(matrix)
-    pairs = [a * b - 1 for a, b in combinations(values, 2)]
-    return {
-        "fold": point.tangent.value / setting.unit,
-        "branch point": float(np.linalg.det(matrix - one)),
-        "period doubling": float(np.linalg.det(matrix + one)),
-        "Neimark-Sacker": float(np.prod(pairs).real) if pairs else 1.0,
-    }
+    # Multipliers beyond all bounds, as near a homoclinic orbit, leave NaN, which has no sign.
+    finite = bool(np.isfinite(matrix).all())
+    values = np.linalg.eigvals(matrix) if finite else np.array([np.nan])
+    with np.errstate(all="ignore"):
+        pairs = [a * b - 1 for a, b in combinations(values, 2)]
+        return {
+            "fold": point.tangent.value / setting.unit,
+            "branch point": float(np.prod(values - 1).real),
+            "period doubling": float(np.prod(values + 1).real),
+            "Neimark-Sacker": float(np.prod(pairs).real) if pairs else 1.0,
+        }
 
 
 def located(

@@ -1,0 +1,102 @@
+"""Limit cycles of a slow flow against time integration and the theory of the Hopf point."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+import sympy as sp
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+from systems import Omega, alpha, beta, d, k, mu, omega, omega_1, omega_2, oscillator, pair, t, x, y
+
+import mmsgen as mg
+from mmsgen.runtime._flow import rates, spectrum
+from mmsgen.runtime._records import Bifurcation
+
+VALUES = {"mu": 0.05, "k": 0.9, "alpha": 0.8, "beta": 0.8, "omega_1": 1.0, "sigma_1": 0.4}
+OVER = "sigma_2"
+
+
+@cache
+def flow() -> mg.SlowFlow:
+    """1:2 internal resonance with the higher mode driven (Nayfeh & Mook, 1979, ch. 6)."""
+    scaled = pair(
+        2 * mu * d(x) + alpha * x * y, 2 * mu * d(y) + beta * x**2 - k * sp.cos(Omega * t)
+    ).scale({alpha: 1, beta: 1, mu: 1, k: 1})
+    return scaled.expand(1, {omega_2: 2 * omega_1, Omega: omega_2}).slow_flow
+
+
+def both_moving(detuning: float) -> tuple[float, np.ndarray]:
+    """Largest growth rate and amplitudes of the less stable equilibrium of both modes."""
+    found = flow().equilibria({**VALUES, OVER: detuning})
+    growth = np.where(found.modulus[..., 0] > 1e-6, found.growth, -np.inf)
+    return growth.max(), found.amplitudes[int(growth.argmax())]
+
+
+@cache
+def hopf() -> Bifurcation:
+    """Where the growth rate changes its sign, the pair being complex."""
+    value = brentq(lambda s: both_moving(s)[0], -0.17, -0.145, xtol=1e-13)
+    table, b = flow().table, both_moving(value)[1]
+    numbers = table.numbers({**VALUES, OVER: value})
+    frequency = float(np.abs(spectrum(table.flow, numbers, b)[0].imag))
+    return Bifurcation("Hopf", value, b, np.zeros(0), frequency)
+
+
+def test_cycles_grow_out_of_a_hopf_point() -> None:
+    point = hopf()
+    family = flow().limit_cycles(VALUES, point, OVER, (-0.2, -0.15), largest=0.02)
+    assert family.path.reason == "reached"
+    first = family.cycles[0]
+    # The frequency of a small cycle is that of the point, up to the square of its size, 1e-2.
+    assert first.frequency == pytest.approx(point.frequency, rel=1e-3)
+    # Its size is that of the square root of the distance: where the amplitude doubles, the
+    # distance is four times as large, up to a relative change of the order of the distance.
+    sizes = np.array([np.ptp(c.modulus[0]) for c in family.cycles])
+    small = sizes < 0.15
+    assert small.sum() >= 3
+    slope = np.polyfit(
+        np.log(sizes[small]), np.log(np.abs(family.values[small] - point.parameter)), 1
+    )[0]
+    assert slope == pytest.approx(2, abs=0.05)
+    assert {c.verdict for c in family.cycles[1:]} == {"stable"}
+
+
+def test_a_motion_ends_on_the_cycle() -> None:
+    values = {**VALUES, OVER: -0.15}
+    start = 1.05 * both_moving(-0.15)[1]
+    cycle = flow().limit_cycle(values, start)
+    # A second method: the slow flow's own table, integrated until transients are gone.
+    table = flow().table
+    numbers = table.numbers(values)
+
+    def derivative(_: float, b: np.ndarray) -> np.ndarray:
+        return rates(table.flow, numbers, b)
+
+    begin = cycle.amplitudes(0.0)
+    path = solve_ivp(
+        derivative, (0, cycle.period), begin, "DOP853", cycle.orbit.times, rtol=1e-12, atol=1e-13
+    )
+    # a hundred steps at 1e-12, which a stable cycle does not enlarge much
+    assert np.abs(path.y - cycle.amplitudes(cycle.orbit.times)).max() < 1e-9
+    sizes = 2 * np.abs(path.y)
+    assert cycle.modulus == pytest.approx(np.stack([sizes.min(1), sizes.max(1)], 1), abs=1e-9)
+    assert cycle.verdict == "stable"
+
+
+def test_what_has_no_cycle_says_so() -> None:
+    with pytest.raises(mg.OrbitError, match="comes to rest"):
+        flow().limit_cycle({**VALUES, OVER: -0.2}, 1.01 * both_moving(-0.2)[1], time=2000.0)
+    free = oscillator(-mu * (1 - x**2) * d(x), sp.Integer(1)).scale({mu: 1}).expand(1).slow_flow
+    with pytest.raises(mg.OrbitError, match="the same in every phase"):
+        free.limit_cycle({"mu": 0.1}, [1.0])
+    wrong = hopf()._replace(kind="saddle-node")
+    with pytest.raises(mg.OrbitError, match="not at a saddle-node"):
+        flow().limit_cycles(VALUES, wrong, OVER, (-0.2, -0.1))
+    forced = oscillator(alpha * x**3 - k * sp.cos(Omega * t)).scale({alpha: 1, k: 1})
+    with pytest.raises(mg.OrbitError, match="1 amplitudes are needed"):
+        forced.expand(1, {Omega: omega}).slow_flow.limit_cycle(
+            {"omega": 1.0, "alpha": 1.0, "k": 1.0, "sigma": 0.1}, [0.1, 0.2]
+        )
