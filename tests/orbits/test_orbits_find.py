@@ -11,7 +11,8 @@ from scipy.special import ellipk
 import mmsgen as mg
 from mmsgen.floquet.collocation import gauss_table
 from mmsgen.motion import first_order_system
-from mmsgen.orbits.collocation import Setting, newton, sampled, scale_of
+from mmsgen.orbits.collocation import Setting, newton
+from mmsgen.orbits.curves import sampled, scale_of
 
 FORCED = {"mu": 0.05, "alpha": 0.1, "K": 0.3, "Omega": 1.1}
 

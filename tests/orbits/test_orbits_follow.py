@@ -27,7 +27,7 @@ def slow_folds(epsilon: float) -> np.ndarray:
 
 def test_folds_of_the_forced_oscillator_approach_those_of_order_one() -> None:
     errors = []
-    for epsilon in (1 / 128, 1 / 256, 1 / 512):
+    for epsilon in (1 / 256, 1 / 512):
         values = {"mu": 0.1 * epsilon, "alpha": epsilon, "K": 0.8 * epsilon}
         orbit = forced({**values, "Omega": 1 - 2 * epsilon})
         path = mg.orbits.follow(orbit.problem, orbit, "Omega", 1 + 8 * epsilon)
@@ -42,8 +42,8 @@ def test_folds_of_the_forced_oscillator_approach_those_of_order_one() -> None:
         assert sum(changes) == 2
         assert path.verdicts[0] == path.verdicts[-1] == "stable"
     ratios = np.array(errors[:-1]) / errors[1:]
-    # What order 1 leaves is ε² (1 + O(ε)); the O(ε), of some 30 ε, takes 0.3 off at first.
-    assert ratios == pytest.approx(4, abs=0.4)
+    # What order 1 leaves is ε² (1 + O(ε)); the O(ε), of some 30 ε, takes 0.15 off.
+    assert ratios == pytest.approx(4, abs=0.3)
 
 
 def test_at_a_fold_a_multiplier_is_one() -> None:

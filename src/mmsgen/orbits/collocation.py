@@ -18,20 +18,18 @@ Differential Equations* (1988), ch. 5; Doedel, Keller & Kernévez, *Int. J. Bifu
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
 import scipy  # loads its subpackages when they are first used
 
 from ..errors import OrbitError
-from ..floquet.collocation import GaussTable, gauss_table
 from ..floquet.points import Floats
+from .curves import Curve
 from .fields import Problem
 
-__all__ = ["Curve", "Linearised", "Setting", "linearise", "newton", "sampled", "table_for"]
+__all__ = ["Linearised", "Setting", "linearise", "newton"]
 
 STEPS = 25
 """Newton steps at most; five are usual."""
@@ -50,125 +48,6 @@ FAMILY = 1e-7
 
 SPARSE = 300
 """Unknowns from which a sparse solver is faster: few blocks of the matrix are not zero."""
-
-SMALL = 1e-3
-"""States that are smaller than this, over the largest, are measured by it."""
-
-
-def table_for(size: int) -> GaussTable:
-    """The Gauss method for d states: many stages, while the matrices stay small."""
-    return gauss_table(min(12, max(7, 48 // size)))
-
-
-@dataclass(frozen=True, eq=False)
-class Curve:
-    """A closed curve, or a change of one.
-
-    Attributes
-    ----------
-    starts : numpy.ndarray, shape (N, d)
-    slopes : numpy.ndarray, shape (N, s, d)
-        dy/dφ at the nodes.
-    frequency : float
-        ω in rad/s.
-    value : float
-        Of the parameter that is followed.
-    """
-
-    starts: Floats
-    slopes: Floats
-    frequency: float
-    value: float = 0.0
-
-    @property
-    def intervals(self) -> int:
-        """N."""
-        return len(self.starts)
-
-    @property
-    def length(self) -> float:
-        """h in rad."""
-        return 2 * np.pi / self.intervals
-
-    @property
-    def table(self) -> GaussTable:
-        """The Gauss method."""
-        return gauss_table(self.slopes.shape[1])
-
-    @cached_property
-    def states(self) -> Floats:
-        """Y at the nodes, shape (N, s, d)."""
-        inner = np.einsum("ij,njd->nid", self.table.matrix, self.slopes)
-        return np.asarray(self.starts[:, None] + self.length * inner)
-
-    @property
-    def phases(self) -> Floats:
-        """φ at the nodes, shape (N, s)."""
-        own = self.length * self.table.nodes
-        return np.asarray(self.length * np.arange(self.intervals)[:, None] + own)
-
-    def at(self, phases: Any) -> Floats:
-        """States at phases, shape (m, d)."""
-        return self._interpolated(phases)[0]
-
-    def _interpolated(self, phases: Any) -> tuple[Floats, Floats]:
-        """States and slopes, from the Legendre series of the slopes."""
-        place = np.mod(phases, 2 * np.pi) / self.length
-        cell = np.minimum(place.astype(int), self.intervals - 1)
-        x = 2 * (place - cell) - 1
-        s = self.table.stages
-        values = np.polynomial.legendre.legvander(x, s)
-        integral = np.empty((len(x), s))
-        integral[:, 0] = (x + 1) / 2
-        degree = np.arange(1, s)
-        integral[:, 1:] = (values[:, degree + 1] - values[:, degree - 1]) / (2 * (2 * degree + 1))
-        series = np.einsum("li,nid->nld", self.table.legendre, self.slopes)[cell]
-        states = self.starts[cell] + self.length * np.einsum("ml,mld->md", integral, series)
-        return states, np.einsum("ml,mld->md", values[:, :s], series)
-
-    def refined(self, intervals: int) -> Curve:
-        """The same curve on another number of intervals."""
-        mesh = 2 * np.pi / intervals * np.arange(intervals)
-        nodes = mesh[:, None] + 2 * np.pi / intervals * self.table.nodes
-        slopes = self._interpolated(nodes.ravel())[1].reshape(*nodes.shape, -1)
-        return Curve(self.at(mesh), slopes, self.frequency, self.value)
-
-    def moved(self, change: Curve, share: float = 1.0) -> Curve:
-        """The curve with a multiple of a change added."""
-        return Curve(
-            self.starts + share * change.starts,
-            self.slopes + share * change.slopes,
-            float(self.frequency + share * change.frequency),
-            float(self.value + share * change.value),
-        )
-
-    def integral(self, weights: Floats) -> Floats:
-        """Mean over the phase of the states times weights (N, s, …), shape (d, …)."""
-        own = self.length / (2 * np.pi) * self.table.weights
-        return np.asarray(np.einsum("i,nid,ni...->d...", own, self.states, weights))
-
-
-def sampled(
-    function: Callable[[Any], Floats],
-    intervals: int,
-    table: GaussTable,
-    frequency: float,
-    value: float = 0.0,
-) -> Curve:
-    """A curve from a function of the phase, (m,) → (m, d)."""
-    h = 2 * np.pi / intervals
-    mesh = h * np.arange(intervals)
-    nodes = mesh[:, None] + h * table.nodes
-    starts = function(mesh)
-    inner = function(nodes.ravel()).reshape(*nodes.shape, -1)
-    slopes = np.einsum("ij,njd->nid", _inverse(table.stages), inner - starts[:, None]) / h
-    return Curve(starts, slopes, frequency, value)
-
-
-@lru_cache(maxsize=8)
-def _inverse(stages: int) -> Floats:
-    """A⁻¹ of the Gauss method."""
-    return np.asarray(np.linalg.inv(gauss_table(stages).matrix), dtype=float)
 
 
 @dataclass(frozen=True, eq=False)
@@ -241,15 +120,16 @@ class Linearised:
     @property
     def monodromy(self) -> Floats:
         """Φ, the product of the transition matrices."""
-        result: Floats = np.eye(self.transitions.shape[1])
+        result: Any = np.eye(self.transitions.shape[1])
         with np.errstate(all="ignore"):
             for part in self.transitions:
                 result = part @ result
-        return result
+        return np.asarray(result, dtype=float)
 
     def change(self, right: Floats | None = None) -> Curve:
         """The step of Newton's method, or that of another right-hand side without defects."""
         count, _, d, _ = self.inner.shape
+        solution: Any
         try:
             own = self.right if right is None else right
             if self.isolated and len(own) > SPARSE:
@@ -353,13 +233,6 @@ def _conditions(setting: Setting, curve: Curve) -> list[tuple[Floats, Floats]]:
         own[-1] = tangent.value / setting.unit**2
         rows.append((measure * tangent.states / len(setting.scale), own))
     return rows
-
-
-def scale_of(curve: Curve) -> Floats:
-    """The size of each state; a state at rest is measured by the largest."""
-    size = np.abs(curve.states).max(axis=(0, 1))
-    largest = float(size.max())
-    return np.maximum(size, SMALL * largest) if largest > 0 else np.ones_like(size)
 
 
 def newton(setting: Setting, curve: Curve) -> tuple[Curve, Linearised, float]:

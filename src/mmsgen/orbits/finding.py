@@ -11,7 +11,8 @@ import scipy  # loads its subpackages when they are first used
 
 from ..errors import OrbitError
 from ..floquet.points import Floats
-from .collocation import Curve, Linearised, Setting, newton, sampled, scale_of, table_for
+from .collocation import Linearised, Setting, newton
+from .curves import Curve, sampled, scale_of, table_for
 from .fields import Problem
 from .records import PeriodicOrbit, orbit_of
 

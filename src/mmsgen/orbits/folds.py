@@ -8,7 +8,8 @@ from typing import Any
 import numpy as np
 
 from ..errors import OrbitError
-from .collocation import Setting, scale_of
+from .collocation import Setting
+from .curves import Curve, scale_of
 from .fields import Problem
 from .finding import TOLERANCE, Guess, curve_of, resolved
 from .following import Point, corrected, tangent_of, unit_of
@@ -73,6 +74,18 @@ def fold(
     way = replace(curve_of(problem, along, period, periods), frequency=0.0)
     setting = Setting(problem, periods, scale_of(start), name, None, unit)
     setting = replace(setting, tangent=unit_of(setting, way))
+    try:
+        found = _turning(setting, start, tolerance)
+    except OrbitError:
+        found = None
+    if found is None:
+        raise OrbitError(f"no fold in {name} is found near {problem.values[name]:.6g}")
+    return found
+
+
+def _turning(setting: Setting, start: Curve, tolerance: float) -> Special | None:
+    """Where the tangent has no part along the parameter, by the secant method."""
+    unit = setting.unit
     first = resolved(setting, start, tolerance)
     last = Point(first, tangent_of(first.setting, first.curve))
     point, here, level = last, 0.0, last.tangent.value / unit
@@ -87,4 +100,4 @@ def fold(
             break
         step = -new * (there - here) / (new - level)
         here, there, level = there, there + float(np.clip(step, -1.0, 1.0)), new
-    raise OrbitError(f"no fold in {name} is found near {problem.values[name]:.6g}")
+    return None

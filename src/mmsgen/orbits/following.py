@@ -18,7 +18,8 @@ import numpy as np
 
 from ..errors import OrbitError
 from ..floquet.points import Floats
-from .collocation import Curve, Setting, linearise, scale_of
+from .collocation import Setting, linearise
+from .curves import Curve, scale_of
 from .finding import TOLERANCE, Resolved, resolved
 from .records import PeriodicOrbit
 from .specials import Special, located, tests

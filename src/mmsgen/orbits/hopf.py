@@ -17,7 +17,8 @@ import scipy  # loads its subpackages when they are first used
 
 from ..errors import OrbitError
 from ..floquet.points import Floats
-from .collocation import Setting, sampled, table_for
+from .collocation import Setting
+from .curves import sampled, table_for
 from .fields import Problem
 from .finding import FIRST, TOLERANCE, resolved
 from .following import unit_of

@@ -73,8 +73,7 @@ class Mechanical(Problem):
                     "or follow another parameter"
                 )
             return 0.0
-        symbol = own.symbols[own.names.index(name)]
-        return float(_number(own.base.diff(symbol), own.symbols)(*self._numbers))
+        return float(_base_slope(own, name)(*self._numbers))
 
     def _solved(self, phase: Floats, states: Floats) -> tuple[Floats, Floats]:
         """Inverse mass matrices (m, n, n) and accelerations (m, n)."""
@@ -246,6 +245,14 @@ def _slope(compiled: _Compiled, name: str) -> Callable[..., list[Any]]:
     return lambdified(
         [phase, q, v, w, list(compiled.symbols)], [e.diff(symbol) for e in compiled.equations]
     )
+
+
+@lru_cache(maxsize=64)
+def _base_slope(compiled: _Compiled, name: str) -> Callable[..., Any]:
+    """dΩ/dp for one parameter."""
+    symbol = compiled.symbols[compiled.names.index(name)]
+    base = sp.S.Zero if compiled.base is None else compiled.base
+    return _number(base.diff(symbol), compiled.symbols)
 
 
 @lru_cache(maxsize=256)

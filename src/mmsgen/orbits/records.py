@@ -10,7 +10,8 @@ import numpy.typing as npt
 from ..floquet.perturbation import Complexes, eigenvalues_with_error
 from ..floquet.points import Floats
 from ..floquet.records import judge
-from .collocation import Curve, Linearised
+from .collocation import Linearised
+from .curves import Curve
 from .fields import Problem
 
 __all__ = ["PeriodicOrbit", "orbit_of", "transverse"]
@@ -149,7 +150,7 @@ def orbit_of(
     """
     coarse, fine = (transverse(problem, curve, x.monodromy, scale) for x in pair)
     parts = pair[1].transitions * (scale[None, :] / scale[:, None])
-    rounding = EPS * sum(float(np.linalg.norm(x, 2)) for x in parts) * float(np.linalg.norm(fine))
+    rounding = EPS * float(np.linalg.norm(parts, axis=(1, 2)).sum()) * float(np.linalg.norm(fine))
     # The states' error moves the matrix as well: in both solutions by different amounts.
     gap = float(np.linalg.norm(fine - coarse, 2)) + 4 * rounding
     period = 2 * np.pi / curve.frequency
