@@ -45,6 +45,7 @@ if TYPE_CHECKING:
     from .certify import certify
     from .codegen import generate
     from .emission import Emission, publish
+    from .exact_response import orbit_near, orbits_along
     from .steady import Steady
 
 __all__ = [
@@ -79,7 +80,9 @@ __all__ = [
     "floquet",
     "fourier_series",
     "generate",
+    "orbit_near",
     "orbits",
+    "orbits_along",
     "publish",
 ]
 
@@ -89,6 +92,8 @@ _LATER = {
     "Steady": "steady",
     "certify": "certify",
     "generate": "codegen",
+    "orbit_near": "exact_response",
+    "orbits_along": "exact_response",
     "publish": "emission",
 }
 """Name → the module that holds it."""
