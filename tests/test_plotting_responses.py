@@ -118,6 +118,16 @@ def test_frequency_response_tells_stable_from_unstable() -> None:
     assert axes.get_xlabel() == "sigma" and axes.get_ylim()[0] == 0
 
 
+def test_responses_of_two_orders_share_axes() -> None:
+    axes = plotting.frequency_response(response(), ["order 1", None], axes=new_axes())
+    plotting.frequency_response(response(), ["order 2", None], colour=1, axes=axes)
+    lines = lines_of(axes)
+    assert lines["order 1"].get_color() != lines["order 2"].get_color()
+    shown = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert len(shown) == len(set(shown)) == 6
+    assert {"saddle-node", "Hopf"} < set(shown)
+
+
 def test_coordinates_can_be_left_out() -> None:
     axes = plotting.frequency_response(response(), [None, "y"], axes=new_axes())
     lines = lines_of(axes)

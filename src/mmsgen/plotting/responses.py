@@ -27,6 +27,7 @@ def frequency_response(
     *,
     points: Sequence[tuple[Any, Any, Any]] = (),
     scale: float = 1.0,
+    colour: int = 0,
     xlabel: str | None = None,
     ylabel: str = "amplitude",
     axes: Axes | None = None,
@@ -34,6 +35,7 @@ def frequency_response(
     """Amplitudes of all equilibria over a parameter, a colour for each coordinate.
 
     Stable branches are solid, unstable ones dashed. Bifurcations have markers by their kind.
+    Responses of several orders share axes if each begins with a colour of its own.
 
     Parameters
     ----------
@@ -45,6 +47,8 @@ def frequency_response(
         orbit is stable, open where not.
     scale : float
         Factor of the parameter.
+    colour : int
+        Place of the first coordinate's colour in `COLOURS`.
     xlabel : str, optional
         By default the name of the parameter.
     ylabel : str
@@ -67,19 +71,26 @@ def frequency_response(
             x, y = _pieces(response.branches, j, stable)
             if len(x):
                 which = "" if stable else ", unstable"
-                colour, label = COLOURS[j % len(COLOURS)], f"{labels[j]}{which}"
-                axes.plot(scale * x, y, lw=1.6, label=label, color=colour, ls=dash)
+                own, label = COLOURS[(colour + j) % len(COLOURS)], f"{labels[j]}{which}"
+                axes.plot(scale * x, y, lw=1.6, label=label, color=own, ls=dash)
+    _bifurcations(axes, response, drawn, scale)
+    _orbits(axes, points, drawn, scale)
+    axes.set(xlabel=xlabel or response.name, ylabel=ylabel)
+    axes.set_ylim(bottom=0)
+    return with_legend(axes)
+
+
+def _bifurcations(axes: Axes, response: Response, drawn: Sequence[int], scale: float) -> None:
+    """Markers where branches begin, meet or change, each kind once in the legend."""
+    known = axes.get_legend_handles_labels()[1]
     for kind, marker in _KINDS.items():
         own = [b for b in response.bifurcations if b.kind == kind]
         if own:
             x = np.repeat([scale * b.parameter for b in own], len(drawn))
             y = np.array([b.modulus[drawn] for b in own]).ravel()
             style: dict[str, Any] = {"mfc": "white", "mec": "black", "mew": 0.9}
-            axes.plot(x, y, marker, ms=5, ls="", zorder=4, label=kind, **style)
-    _orbits(axes, points, drawn, scale)
-    axes.set(xlabel=xlabel or response.name, ylabel=ylabel)
-    axes.set_ylim(bottom=0)
-    return with_legend(axes)
+            label = None if kind in known else kind
+            axes.plot(x, y, marker, ms=5, ls="", zorder=4, label=label, **style)
 
 
 def _coordinates(response: Response, points: Sequence[tuple[Any, Any, Any]]) -> int:
