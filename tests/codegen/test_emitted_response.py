@@ -205,6 +205,16 @@ def test_what_is_no_order_drift_or_parameter(options: Any, message: str) -> None
         functions("free2").response(0.0, [0.1], **{**values("free2", 0.1), **options})
 
 
+def test_where_a_harmonic_resonates_there_is_no_number() -> None:
+    """The force at Ω = 2ω_1 = ω_2, which the case takes to be far from there."""
+    given = {**values("pair", 0.01), "sigma": 0.0}
+    speeds = {"Omega": np.array([5.0, 2 * given["omega_1"]])}
+    with pytest.warns(UserWarning, match="amounts to inf"):
+        found = functions("pair").response(0.0, [0.1, 0.1], **{**given, **speeds})
+    assert np.isfinite(found[0]).all()
+    assert np.isnan(found[1]).all()
+
+
 # --- derivatives ----------------------------------------------------------------------------------
 
 

@@ -72,8 +72,9 @@ def module_docstring(setting: Setting, model: str, source: str) -> str:
     if setting.poles:
         parts.append(
             paragraph(
-                "No number, NaN for growth rates and edges, where a divisor vanishes, which is a "
-                f"further resonance and a case of its own: {', '.join(setting.poles)}.",
+                "No number, NaN for growth rates, edges, equilibria and their stability, where a "
+                "divisor vanishes, which is a further resonance and a case of its own: "
+                f"{', '.join(setting.poles)}.",
                 0,
             )
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -223,14 +223,19 @@ class Setting:
         assert self.linear is not None
         return self.linear.stability.farthest
 
+    @property
+    def _coefficients(self) -> Iterator[Coefficient]:
+        """All coefficients of the slow flow."""
+        if self.linear is None:
+            return (c for series in self.flow.rates for c in series.values())
+        return (c for b in self.linear.blocks for row in b.entries for c in row)
+
     @cached_property
     def poles(self) -> tuple[str, ...]:
         """Divisors that can vanish: further resonances, on which the formulas do not hold."""
-        if self.linear is None:
-            return ()
         field = self.case.weak.ring.field
         positive = {p.name for p in self.case.parameters if p.symbol.is_positive}
-        indices = {m for b in self.linear.blocks for row in b.entries for c in row for m in c.den}
+        indices = {m for c in self._coefficients for m in c.den}
         found = []
         for m in sorted(indices):
             divisor = field.divisors[m]

@@ -105,7 +105,7 @@ def response_at(
     Returns
     -------
     numpy.ndarray, or (numpy.ndarray, dict)
-        Shape (..., n).
+        Shape (..., n); NaN where a coefficient is not finite, whether its term is summed or not.
 
     Raises
     ------
@@ -153,7 +153,7 @@ def _sum(
     turns = [np.exp(1j * rate * times) for rate in rates]
     moving = [b * turn for b, turn in zip(columns, turns, strict=False)]
     shape = np.broadcast_shapes(*(x.shape for x in (*turns, *moving)))
-    out = np.zeros((*shape, n))
+    out = np.where(_known(table, shape)[..., None], np.zeros(n), np.nan)
     sizes = np.zeros((highest + 1, *shape, n))
     derivatives = np.zeros((len(slopes), *shape, n))
     for m, (order, j, exponents, harmonics) in enumerate(motion.terms):
@@ -167,6 +167,11 @@ def _sum(
             angle = slope[..., count:].real @ _multiples(exponents, harmonics)
             derivative[..., j] += (value * slope[..., m] + 1j * angle * times * part).real
     return out, sizes, derivatives
+
+
+def _known(table: Any, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    """Where all coefficients are finite."""
+    return np.broadcast_to(np.isfinite(table).all(axis=-1), shape)
 
 
 def _triples(harmonics: tuple[int, ...]) -> tuple[int, ...]:

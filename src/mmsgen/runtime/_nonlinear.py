@@ -109,14 +109,16 @@ def jacobian_at(
     Returns
     -------
     numpy.ndarray
-        Shape (..., 2n, 2n), rows and columns u_1, v_1, u_2, … with B_j = (u_j + i v_j)/2.
+        Shape (..., 2n, 2n), rows and columns u_1, v_1, u_2, … with B_j = (u_j + i v_j)/2; NaN
+        where a coefficient is not finite.
     """
     with np.errstate(all="ignore"):
         c = coefficients_at(flow, kernel, arguments)
         b = _points(flow, amplitudes, c)
         drift = drift_of(flow, c, b) if flow.symmetries else None
         found = jacobian(flow, c, b, drift)
-    return np.where(_missing(b)[..., None, None], np.nan, found)
+    lost = _missing(b) | ~np.isfinite(c).all(axis=-1)
+    return np.where(lost[..., None, None], np.nan, found)
 
 
 def stability_at(
