@@ -63,7 +63,7 @@ def modules(scaled: Any) -> dict[tuple[str, int], Any]:
 def arrays(function: Any, points: int) -> dict[str, Any]:
     """A generic value of its own for each argument at every point."""
     rng = np.random.default_rng(1)
-    names = inspect.signature(function).parameters
+    names = [name for name in inspect.signature(function).parameters if name in VALUES]
     return {name: VALUES[name] * (1 + 0.01 * rng.random(points)) for name in names}
 
 
