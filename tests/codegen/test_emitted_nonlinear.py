@@ -213,7 +213,8 @@ def test_the_table_in_the_text_is_that_of_the_engine(name: str) -> None:
 
 
 def test_what_there_is() -> None:
-    everywhere = {"slow_flow", "response", "equilibria", "jacobian", "stability"}
+    everywhere = {"slow_flow", "response", "equilibria", "frequency_response", "jacobian"}
+    everywhere.add("stability")
     for name in CASES:
         assert everywhere <= set(functions(name).__all__)
 

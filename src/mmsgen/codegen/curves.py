@@ -13,7 +13,7 @@ from ..ir import compute_ir, fresh
 from ..parameters import Parameter
 from ..symbols import modulus
 from .exact import exact
-from .kernels import AMPLITUDES, SHARED, EmittedFunction, Kernel, Option, Reference, called
+from .kernels import AMPLITUDES, EmittedFunction, Kernel, Option, Reference, called
 from .options import gradient_option, wanted
 from .rounding import rounded
 from .setting import Setting, values_of
@@ -30,11 +30,11 @@ def response_function(setting: Setting, table: str, coefficients: str) -> Emitte
     table, coefficients : str
         Names of the constant with the slow flow's terms, and of the kernel of their coefficients.
     """
-    if not setting.parameters or "_branches" not in SHARED:
+    if not setting.parameters:
         return None
     names = [p.name for p in setting.parameters]
     over = fresh("over", names)
-    items = ["{response_of}", f"{{{table}}}", f"{{{coefficients}}}", "{arguments}"]
+    items = [f"{{{table}}}", f"{{{coefficients}}}", "{arguments}"]
     items += [wanted(names), over]
     return EmittedFunction(
         name="frequency_response",
@@ -51,7 +51,7 @@ def response_function(setting: Setting, table: str, coefficients: str) -> Emitte
             "(saddle-nodes, pitchforks, transcritical and Hopf points)."
         ),
         reference=None,
-        uses=("response_along", "response_of"),
+        uses=("response_along",),
         options=(
             Option(over, "str", f'"{names[0]}"', "str, optional", "Name of the one that varies."),
         ),

@@ -36,7 +36,6 @@ RUNTIME = {
         ("backbone_at", "equilibria_at", "jacobian_at", "response_along", "stability_at"),
         "_nonlinear",
     ),
-    "response_of": "_branches",
     "equilibria_of_one": "_one_amplitude",
     "equilibria_of_many": "_many_amplitudes",
     **dict.fromkeys(

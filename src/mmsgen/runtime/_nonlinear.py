@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from ._branches import response_of
 from ._dual import array_slopes, real_at
 from ._flow import Flow, jacobian, rates, spectrum
 from ._records import Equilibria, Response
@@ -183,19 +184,12 @@ def backbone_at(
 
 
 def response_along(
-    follow: Callable[..., Response],
-    flow: Flow,
-    kernel: Kernel,
-    arguments: Arguments,
-    names: Sequence[str],
-    over: str,
+    flow: Flow, kernel: Kernel, arguments: Arguments, names: Sequence[str], over: str
 ) -> Response:
     """All equilibria along one parameter, as curves, with their bifurcations.
 
     Parameters
     ----------
-    follow : callable
-        Terms, the coefficients as a function of the parameter, its values and its name → response.
     flow, kernel, arguments
         As for `jacobian_at`.
     names : sequence of str
@@ -222,14 +216,14 @@ def response_along(
                 f"only {over} may be an array, got the shape {array.shape} for {name}; give over= "
                 "the name of the one that varies"
             )
+    fixed = [a if k == place else a.reshape(()) for k, a in enumerate(arguments)]
 
     def coefficients(p: Any) -> NDArray[np.complex128]:
-        own = [a.reshape(()) for a in arguments]
-        own[place] = np.asarray(p, dtype=np.float64)
+        own = [*fixed[:place], np.asarray(p, dtype=np.float64), *fixed[place + 1 :]]
         return coefficients_at(flow, kernel, own)
 
     with np.errstate(all="ignore"):
-        return follow(flow, coefficients, values, name=over)
+        return response_of(flow, coefficients, values, name=over)
 
 
 # --- equilibria, and how they move with the parameters --------------------------------------------
