@@ -131,10 +131,11 @@ def _description(setting: Setting, drifts: bool) -> str:
     if drifts:
         text += " With a drift, constant ones turn along the symmetries of the slow flow."
     return (
-        f"{text} NaN where a harmonic resonates itself. Derivatives are taken with these fixed. Over times of order 1/ε the error is "
-        f"O(ε^{setting.case.order}). A UserWarning says how much is left out where that is more "
-        "than a tenth of the motion, estimated from the harmonics of each order beside those of "
-        "order zero" + (", and from the terms of the slow flow." if not setting.linear else ".")
+        f"{text} NaN where a harmonic resonates itself. Derivatives are taken with these fixed. "
+        f"Over times of order 1/ε the error is O(ε^{setting.case.order}). A UserWarning says how "
+        "much is left out where that is more than a tenth of the motion, estimated from the "
+        "harmonics of each order beside those of order zero"
+        + (", and from the terms of the slow flow." if not setting.linear else ".")
     )
 
 
