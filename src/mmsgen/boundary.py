@@ -146,7 +146,7 @@ class Stability:
 
         Those of a higher degree have roots far away that mean nothing.
         """
-        polynomials = (p for c in self.criteria for p in (*c.polynomials, c.undamped))
+        polynomials = (p for c in self.criteria for p in (*c.polynomials, *c.undamped))
         return self.reach if any(len(p) > 3 for p in polynomials) else sp.oo
 
     def boundaries(self, values: Mapping[Any, Any]) -> Any:
@@ -186,13 +186,14 @@ class Stability:
             polynomials += [taken(p) for p in c.polynomials]
             if c.undamped:
                 damped = np.any(np.broadcast_arrays(*taken(c.damping)), axis=0)
-                polynomials.append([np.where(damped, 0.0, d) for d in taken(c.undamped)])
+                for p in c.undamped:
+                    polynomials.append([np.where(damped, 0.0, d) for d in taken(p)])
         return shape, polynomials, reach
 
     @cached_property
     def _evaluator(self) -> Evaluator:
         flat = [
-            x for c in self.criteria for p in (*c.polynomials, c.damping, c.undamped) for x in p
+            x for c in self.criteria for p in (*c.polynomials, c.damping, *c.undamped) for x in p
         ]
         return Evaluator([self.reach, *(self.symbols(x) for x in flat)], self.parameters)
 

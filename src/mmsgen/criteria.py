@@ -24,11 +24,18 @@ from .edges import EdgeSeries, edge_series, weighted_parts
 from .expressions import FieldSymbols
 from .factoring import MonicFactor
 from .field import Coefficient, split_generator
+from .hurwitz import damped_conditions, halves, neutral_conditions
 
 __all__ = ["Criteria", "FactorVerdict", "Judge"]
 
 Polynomial = tuple[Coefficient, ...]
 """In the detuning, lowest power first."""
+
+HIGHEST = 5
+"""Degree in Γ up to which criteria are written down."""
+
+LONGEST = 60
+"""Terms of a factor up to which they are: determinants of longer ones fill pages."""
 
 
 @dataclass(frozen=True)
@@ -41,13 +48,13 @@ class Criteria:
         Polynomials in the detuning, lowest power first: unstable where one of them is positive.
     damping : tuple of Coefficient
         The damping on the whole, b_r, where it may vanish identically; empty where not.
-    undamped : tuple of Coefficient
-        The polynomial that counts as well where the damping vanishes identically.
+    undamped : tuple of tuple of Coefficient
+        The polynomials that count as well where the damping vanishes identically.
     """
 
     polynomials: tuple[Polynomial, ...]
     damping: Polynomial = ()
-    undamped: Polynomial = ()
+    undamped: tuple[Polynomial, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -130,8 +137,11 @@ class Judge:
             return self._conservative(factor)
         if degree == 2:
             return self._dissipative(factor)
-        statement = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
-        return FactorVerdict(factor, "unjudged", (), None, statement)
+        length = sum(len(p) for c in factor.coefficients for p in c.num.values())
+        if degree > HIGHEST or length > LONGEST:
+            statement = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
+            return FactorVerdict(factor, "unjudged", (), None, statement)
+        return self._higher(factor, conservative)
 
     def _leading(self, c: Coefficient) -> Coefficient:
         """The part of lowest order in ε: it sets the sign as ε → 0."""
@@ -230,7 +240,7 @@ class Judge:
             )
         statement, edges = f"{self._name(factor, divided)} is damped", None
         unstable: bool | None = None
-        needed = (criterion, *criteria.polynomials[1:], criteria.undamped)
+        needed = (criterion, *criteria.polynomials[1:], *criteria.undamped)
         if all(self._never(p) for p in needed if p):
             unstable = False
         elif self._far_from_resonance(criterion) == 1:
@@ -248,6 +258,55 @@ class Judge:
             factor, "dissipative", criterion, unstable, statement, shown, edges, criteria
         )
 
+    # -- factors of a higher degree ------------------------------------------------------
+
+    def _higher(self, factor: MonicFactor, conservative: bool) -> FactorVerdict:
+        """By the minors of a Bezoutian, or by Liénard and Chipart: see `hurwitz`."""
+        criteria, deciding = self._inequalities(factor, conservative)
+        criterion = self._by_detuning(deciding)
+        kind = "conservative" if conservative else "dissipative"
+        shown: tuple[sp.Expr, ...] = (self._shown(factor),)
+        unstable: bool | None = None
+        edges = None
+        damping = _real(factor.coefficients[-2])
+        if all(self._never(p) for p in (*criteria.polynomials, *criteria.undamped)):
+            unstable = False
+            statement = "{0} has neutral modes" if conservative else "{0} is damped"
+        elif not conservative and damping and self.domain.sign(self._leading(damping)) == -1:
+            unstable, statement = True, "{0} has negative damping on the whole"
+        elif (edges := self._edges(criterion)) is not None:
+            unstable = True if self.domain.sign(edges.radicand) == 1 else None
+            statement = "{0} is unstable near resonance if {1} > 0"
+            shown = (*shown, self.symbols(edges.radicand))
+        else:
+            count = len(criteria.polynomials)
+            method = "of the Bezoutian" if conservative else "of Hermite, or Lienard and Chipart,"
+            signs = f"the signs of {count} determinants {method} for"
+            statement = f"{signs} {{0}} decide"
+        return FactorVerdict(factor, kind, criterion, unstable, statement, shown, edges, criteria)
+
+    def _inequalities(
+        self, factor: MonicFactor, conservative: bool
+    ) -> tuple[Criteria, Coefficient]:
+        """The criteria, and what is positive where the last one of them is, divided out."""
+        if conservative:
+            conditions = neutral_conditions(factor.coefficients)
+            polynomials = tuple(self._by_detuning(-c) for c in conditions)
+            return Criteria(polynomials), -conditions[-1]
+        conditions = damped_conditions(factor.coefficients)
+        deciding = self._without_common_damping(-conditions[-1])
+        # Those that are never negative say nothing.
+        open_ = [c for c in conditions[:-1] if self.domain.sign(c) not in (0, 1)]
+        polynomials = tuple(self._by_detuning(-c) for c in (*open_, conditions[-1]))
+        _, dampers = halves(factor.coefficients)
+        zero = self._may_vanish(_real(factor.coefficients[-2]))
+        if any(without(v, zero) for v in dampers):
+            return Criteria(polynomials), deciding
+        still = tuple(without(c, zero) for c in factor.coefficients)
+        damping = tuple(x for v in dampers if v for x in self._by_detuning(v))
+        undamped = tuple(self._by_detuning(-c) for c in neutral_conditions(still))
+        return Criteria(polynomials, damping, undamped), deciding
+
     def _criteria(
         self, br: Coefficient, whole: Coefficient, divided: Coefficient, discriminant: Coefficient
     ) -> Criteria:
@@ -264,7 +323,7 @@ class Judge:
             if _proportional(without(divided, zero), discriminant):
                 return Criteria((damped, *feeding))
         undamped = self._by_detuning(discriminant)
-        return Criteria((self._by_detuning(whole), *feeding), self._by_detuning(br), undamped)
+        return Criteria((self._by_detuning(whole), *feeding), self._by_detuning(br), (undamped,))
 
     def _may_vanish(self, br: Coefficient) -> frozenset[str]:
         """The small parameters in the damping that may be zero."""

@@ -214,7 +214,7 @@ class Setting:
         items: list[tuple[tuple[Coefficient, ...], ...]] = []
         for c in self.linear.stability.criteria:
             items += [(p,) for p in c.polynomials]
-            items += [(c.damping, c.undamped)] if c.undamped else []
+            items += [(c.damping, p) for p in c.undamped]
         return tuple(tuple(tuple(self.parts(x)[0] for x in p) for p in i) for i in items)
 
     @cached_property
