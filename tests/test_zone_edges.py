@@ -49,7 +49,8 @@ def module_of(name: str, order: int) -> Any:
 
 def emitted(name: str, order: int, function: str, values: dict[str, Any]) -> Any:
     call = getattr(module_of(name, order), function)
-    return call(**{n: values[n] for n in inspect.signature(call).parameters})
+    kinds = inspect.signature(call).parameters.values()
+    return call(**{p.name: values[p.name] for p in kinds if p.default is p.empty})
 
 
 # --- what was said to be stable for ever ----------------------------------------------------------

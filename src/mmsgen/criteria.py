@@ -8,7 +8,7 @@ its discriminant in Γ is positive. A quadratic factor with damping, Γ² + bΓ 
 
 the conditions of Bilharz (1944) for complex coefficients; see F. R. Gantmacher, *The Theory of
 Matrices* (1959), chapter on the Routh–Hurwitz problem. Where all dampers are zero, b_r and, as a
-rule, the second expression vanish, and the discriminant b² − 4c decides.
+rule, the second expression vanish, and the discriminant decides. Higher degrees: see `hurwitz`.
 """
 
 from __future__ import annotations
@@ -266,8 +266,7 @@ class Judge:
         criterion = self._by_detuning(deciding)
         kind = "conservative" if conservative else "dissipative"
         shown: tuple[sp.Expr, ...] = (self._shown(factor),)
-        unstable: bool | None = None
-        edges = None
+        unstable, edges = None, None
         damping = _real(factor.coefficients[-2])
         if all(self._never(p) for p in (*criteria.polynomials, *criteria.undamped)):
             unstable = False
@@ -279,16 +278,14 @@ class Judge:
             statement = "{0} is unstable near resonance if {1} > 0"
             shown = (*shown, self.symbols(edges.radicand))
         else:
-            count = len(criteria.polynomials)
-            method = "of the Bezoutian" if conservative else "of Hermite, or Lienard and Chipart,"
-            signs = f"the signs of {count} determinants {method} for"
-            statement = f"{signs} {{0}} decide"
+            name = "subdiscriminants" if conservative else "Hurwitz determinants"
+            statement = f"the signs of the {name} of {{0}} decide"
         return FactorVerdict(factor, kind, criterion, unstable, statement, shown, edges, criteria)
 
     def _inequalities(
         self, factor: MonicFactor, conservative: bool
     ) -> tuple[Criteria, Coefficient]:
-        """The criteria, and what is positive where the last one of them is, divided out."""
+        """The criteria, and the last polynomial of them, divided by common damping."""
         if conservative:
             conditions = neutral_conditions(factor.coefficients)
             polynomials = tuple(self._by_detuning(-c) for c in conditions)
@@ -299,11 +296,14 @@ class Judge:
         open_ = [c for c in conditions[:-1] if self.domain.sign(c) not in (0, 1)]
         polynomials = tuple(self._by_detuning(-c) for c in (*open_, conditions[-1]))
         _, dampers = halves(factor.coefficients)
-        zero = self._may_vanish(_real(factor.coefficients[-2]))
+        whole = dampers[-1]
+        zero = self._may_vanish(whole)
         if any(without(v, zero) for v in dampers):
             return Criteria(polynomials), deciding
         still = tuple(without(c, zero) for c in factor.coefficients)
-        damping = tuple(x for v in dampers if v for x in self._by_detuning(v))
+        # Dampers of one sign vanish where their sum does.
+        telling = (whole,) if self.domain.sign(whole) else tuple(filter(None, dampers))
+        damping = tuple(x for v in telling for x in self._by_detuning(v))
         undamped = tuple(self._by_detuning(-c) for c in neutral_conditions(still))
         return Criteria(polynomials, damping, undamped), deciding
 

@@ -24,7 +24,7 @@ from .errors import MmsgenError
 from .field import Coefficient
 from .linear_flow import Block, LinearFlow
 from .runtime._beating import Beating, beat
-from .runtime._evolution import Blocks, checked_times, evolve
+from .runtime._evolution import Blocks, checked_times, demand_common_shape, evolve
 from .runtime._flow import wirtinger
 from .runtime._runtime import checked_amplitudes
 
@@ -74,7 +74,7 @@ def evolution(
     plain, barred, start = _numbers(table, values, amplitudes)
     try:
         t = checked_times(times)
-        np.broadcast_shapes(plain.shape[:-2], t.shape, start.shape[:-1])
+        demand_common_shape(plain, start, t)
     except ValueError as error:
         raise MmsgenError(str(error)) from None
     return evolve(plain, barred, _blocks(linear), t, start)
@@ -86,9 +86,10 @@ def beating(
     """Period and largest amplitudes; see `SlowFlow.beating`."""
     plain, barred, start = _numbers(table, values, amplitudes)
     try:
-        return beat(plain, barred, _blocks(linear), start)
+        demand_common_shape(plain, start)
     except ValueError as error:
-        raise MmsgenError(f"shapes that do not broadcast together: {error}") from None
+        raise MmsgenError(str(error)) from None
+    return beat(plain, barred, _blocks(linear), start)
 
 
 def beating_formulas(linear: LinearFlow) -> tuple[BeatingFormula, ...]:

@@ -109,6 +109,7 @@ def test_empty_arrays(name: str, shape: tuple[int, ...]) -> None:
         "characteristic_coefficients": (n + 1,),
         "slow_flow": (len(one.module.COORDINATES),),
         "response": (len(one.module.COORDINATES),),
+        "evolution": (len(one.module.COORDINATES),),
     }
     for function, points in one.reference["functions"].items():
         arguments = dict(points[0]["arguments"])

@@ -11,6 +11,7 @@ from ..expansion import Expansion
 from ..files import write_atomically
 from .boundaries import boundary_function
 from .case_module import case_text
+from .evolution import evolution_functions
 from .growth import growth_function
 from .kernels import SHARED, EmittedFunction
 from .kinds import kinds_of
@@ -59,6 +60,7 @@ def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
         matrix_function(setting),
         characteristic_function(setting),
         flow,
+        *evolution_functions(setting, flow.kernels[0]),
         motion_function(setting, None),
         *named,
     )

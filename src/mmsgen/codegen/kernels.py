@@ -29,6 +29,8 @@ __all__ = [
 RUNTIME = {
     **dict.fromkeys(("explicit_edges", "implicit_edges", "zone"), "_edges"),
     **dict.fromkeys(("boundaries_at", "real_at"), "_dual"),
+    **dict.fromkeys(("Beating", "beating_at"), "_beating"),
+    **dict.fromkeys(("Linear", "evolution_at"), "_evolution"),
     "modal_values": "_eigenmodes",
     "Flow": "_flow",
     **dict.fromkeys(("Motion", "response_at"), "_motion"),

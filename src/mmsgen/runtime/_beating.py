@@ -11,17 +11,25 @@ Where modes decay, the maximum is searched for in time and bounded from above.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._evolution import Blocks, block_matrix, exponential
+from ._evolution import (
+    Blocks,
+    Linear,
+    block_matrix,
+    demand_common_shape,
+    exponential,
+    linear_parts,
+)
+from ._runtime import checked_amplitudes, stacked
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Beating", "beat"]
+__all__ = ["Beating", "beat", "beating_at"]
 
 _SAME = 1e-7
 """Eigenvalues that are closer, over the norm of the matrix, count as one: a double one that is
@@ -241,3 +249,22 @@ def _zoomed(
         top = np.maximum(top, found.max(axis=-1))
         step = step / 16
     return top
+
+
+def beating_at(
+    linear: Linear,
+    kernel: Callable[..., Any],
+    arguments: Sequence[NDArray[np.float64]],
+    amplitudes: ArrayLike,
+) -> Beating:
+    """How amplitudes beat from those at t = 0: see `beat` and `linear_parts`.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not as it should be, or the shapes do not broadcast.
+    """
+    start = stacked(checked_amplitudes(amplitudes, linear.n))
+    plain, barred = linear_parts(linear, kernel, arguments)
+    demand_common_shape(plain, start)
+    return beat(plain, barred, linear.blocks, start)

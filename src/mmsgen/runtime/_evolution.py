@@ -9,15 +9,27 @@ No eigenvectors are needed, so that nothing happens where two eigenvalues meet.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
+
+from ._runtime import checked_amplitudes, evaluate_array, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Blocks", "block_matrix", "checked_times", "evolve", "exponential"]
+__all__ = [
+    "Blocks",
+    "Linear",
+    "block_matrix",
+    "checked_times",
+    "demand_common_shape",
+    "evolution_at",
+    "evolve",
+    "exponential",
+    "linear_parts",
+]
 
 Blocks = tuple[tuple[tuple[int, int], ...], ...]
 """For each block its variables: (j, 0) for B_j, (j, 1) for its conjugate."""
@@ -197,3 +209,77 @@ def _by_squaring(exponents: NDArray[np.complex128]) -> NDArray[np.complex128]:
         rows = np.flatnonzero(halvings > k)
         result[rows] = result[rows] @ result[rows]
     return np.asarray(result)
+
+
+# --- emitted functions ----------------------------------------------------------------------------
+
+
+class Linear(NamedTuple):
+    """The fixed part of a linear slow flow.
+
+    Attributes
+    ----------
+    n : int
+        Number of amplitudes.
+    blocks : Blocks
+    """
+
+    n: int
+    blocks: Blocks
+
+
+def linear_parts(
+    linear: Linear, kernel: Callable[..., Any], arguments: Sequence[NDArray[np.float64]]
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """C and D of dB_j/dt = Σ_k (C_jk B_k + D_jk B̄_k), from its values at unit vectors.
+
+    Parameters
+    ----------
+    linear : Linear
+    kernel : callable
+        Fills its first argument with the rates, from amplitudes and arguments.
+    arguments : sequence of numpy.ndarray
+    """
+    n = linear.n
+
+    def column(k: int, unit: complex) -> NDArray[np.complex128]:
+        units = [np.asarray(unit if j == k else 0.0, dtype=np.complex128) for j in range(n)]
+        return evaluate_array(kernel, [*units, *arguments], (n,))
+
+    pairs = [(column(k, 1.0), column(k, 1.0j)) for k in range(n)]
+    plain = np.stack([(real - 1j * imaginary) / 2 for real, imaginary in pairs], axis=-1)
+    barred = np.stack([(real + 1j * imaginary) / 2 for real, imaginary in pairs], axis=-1)
+    return plain, barred
+
+
+def evolution_at(
+    linear: Linear,
+    kernel: Callable[..., Any],
+    arguments: Sequence[NDArray[np.float64]],
+    t: ArrayLike,
+    amplitudes: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at times from those at t = 0: see `evolve` and `linear_parts`.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not as it should be, or the shapes do not broadcast.
+    """
+    times, start = checked_times(t), stacked(checked_amplitudes(amplitudes, linear.n))
+    plain, barred = linear_parts(linear, kernel, arguments)
+    demand_common_shape(plain, start, times)
+    return evolve(plain, barred, linear.blocks, times, start)
+
+
+def demand_common_shape(plain: Any, start: Any, times: Any = 0.0) -> None:
+    """Refuse times, amplitudes and parameters that do not broadcast together."""
+    shapes = np.shape(times), start.shape[:-1], plain.shape[:-2]
+    try:
+        np.broadcast_shapes(*shapes)
+    except ValueError:
+        text = ", ".join(f"{n}: {s}" for n, s in zip(_SHAPES, shapes, strict=True))
+        raise ValueError(f"shapes that do not broadcast together: {text}") from None
+
+
+_SHAPES = ("times", "amplitudes without their last axis", "parameters")
