@@ -6,11 +6,23 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+import sympy as sp
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from systems import Omega, alpha, d, kappa, pair, t, x, y
 
+from mmsgen import criteria as criteria_module
+from mmsgen.codegen import case_name, render
 from mmsgen.field import Coefficient, ParameterField, sign
-from mmsgen.hurwitz import damped_conditions, halves, neutral_conditions
+from mmsgen.hurwitz import (
+    _bezoutian,
+    _minors,
+    damped_conditions,
+    halves,
+    neutral_conditions,
+)
+from mmsgen.loading import load_files
+from mmsgen.slowflow import SlowFlow
 
 FIELD = ParameterField(("a", "b", "c", "d", "p", "q"))
 INTEGERS = st.integers(-6, 6)
@@ -25,19 +37,18 @@ def signs(conditions: tuple[Coefficient, ...]) -> list[int | None]:
     return [sign(c, frozenset()) if c.num else 0 for c in conditions]
 
 
-def monic(roots: list[tuple[int, int]]) -> tuple[list[Coefficient], np.ndarray]:
-    """The polynomial with these roots, exactly and in doubles."""
-    exact, rough = [FIELD.one], np.array([1.0 + 0j])
-    for x, y in roots:
-        shifted = [FIELD.zero, *exact]
-        exact = [s - gaussian(x, y) * e for s, e in zip(shifted, [*exact, FIELD.zero], strict=True)]
-        rough = np.polymul(rough, [1.0, -(x + 1j * y)])
-    return exact, rough
+def monic(roots: list[tuple[int, int]]) -> list[Coefficient]:
+    """The polynomial with these roots."""
+    exact = [FIELD.one]
+    for root in roots:
+        longer = zip([FIELD.zero, *exact], [*exact, FIELD.zero], strict=True)
+        exact = [high - gaussian(*root) * low for high, low in longer]
+    return exact
 
 
 @given(st.lists(st.tuples(INTEGERS, INTEGERS), min_size=1, max_size=5))
 def test_complex_polynomials_of_given_roots(roots: list[tuple[int, int]]) -> None:
-    exact, _ = monic(roots)
+    exact = monic(roots)
     found = signs(damped_conditions(exact))
     damped = all(x < 0 for x, _ in roots)
     assert all(s == 1 for s in found) is damped
@@ -102,8 +113,6 @@ def test_discriminant_of_a_cubic() -> None:
 @pytest.mark.parametrize("n", [3, 4])
 def test_real_polynomials_obey_the_complex_conditions_as_well(n: int) -> None:
     """Liénard and Chipart, and Hermite: two forms of one truth, at points on both sides."""
-    from mmsgen.hurwitz import _bezoutian, _minors
-
     rng = np.random.default_rng(n)
     both = set()
     for lower in rng.integers(-1, 7, size=(60, n)).tolist():
@@ -113,3 +122,82 @@ def test_real_polynomials_obey_the_complex_conditions_as_well(n: int) -> None:
         assert hermite is all(s == 1 for s in signs(damped_conditions(exact)))
         both.add(hermite)
     assert both == {True, False}
+
+
+# --- slow flows -----------------------------------------------------------------------------------
+
+
+def flow_of(name: str) -> SlowFlow:
+    """Two oscillators of nearly the same frequency, coupled, pumped, with dampers."""
+    m1, m2 = sp.symbols("mu_1 mu_2", nonnegative=True)
+    coupled = kappa * y, kappa * x
+    pumped = 2 * alpha * sp.cos(Omega * t) * x
+    first = coupled[0] + 2 * m1 * d(x) + (pumped if name != "whirl" else 0)
+    second = coupled[1] + 2 * m2 * d(y)
+    if name == "undamped":
+        first, second = first.subs(m1, 0), second.subs(m2, 0)
+    if name == "one damper":
+        second = second.subs(m2, 0)
+    small = {alpha: 1, kappa: 1, m1: 1, m2: 1}
+    eom = pair(first, second)
+    known = {p.symbol for p in eom.parameters}
+    scaled = eom.scale({s: o for s, o in small.items() if s in known})
+    w1, w2 = sp.symbols("omega_1 omega_2", positive=True)
+    return scaled.expand(1, {Omega: 2 * w1, w2: w1}).slow_flow
+
+
+@pytest.mark.parametrize("name", ["undamped", "one damper", "damped"])
+def test_zones_of_a_quartic_are_where_the_growth_rate_is_positive(name: str) -> None:
+    flow = flow_of(name)
+    (verdict,) = flow.stability.verdicts
+    assert verdict.factor.degree == 4
+    assert verdict.kind == ("conservative" if name == "undamped" else "dissipative")
+    assert verdict.criteria is not None
+    # A real polynomial: half of the determinants, and of the coefficients.
+    rng = np.random.default_rng(2)
+    sigma = np.linspace(-1.5, 1.5, 3001)
+    widths = []
+    for _ in range(12):
+        values = {
+            "omega_1": 2.0,
+            "alpha": rng.uniform(0.2, 1.0),
+            "kappa": rng.uniform(0.0, 1.0),
+            "mu_1": rng.choice([0.0, 0.02, 0.1]),
+            "mu_2": rng.choice([0.0, 0.05]),
+            "sigma_2": rng.uniform(-0.3, 0.3),
+        }
+        values = {n: v for n, v in values.items() if n in {p.name for p in flow.case.parameters}}
+        zones = flow.zones(values)
+        growth = flow.growth_rate({**values, "sigma_1": sigma})
+        inside = ((zones[:, :1] < sigma) & (sigma < zones[:, 1:])).any(axis=0)
+        # Eigenvalues on the axis, and double ones, are good to the root of 1e-16 times their size.
+        assert np.array_equal(growth > 1e-7, inside), values
+        widths.append(inside.sum())
+    assert max(widths) > 0 and min(widths) < len(sigma)
+
+
+def test_the_same_edges_in_the_emitted_module() -> None:
+    flow = flow_of("one damper")
+    files = render(flow.case, model="quartic")
+    (module,) = load_files(files, [case_name(flow.case)]).values()
+    values = {"omega_1": 2.0, "alpha": 0.6, "kappa": 0.4, "mu_1": 0.05, "sigma_2": 0.1}
+    ours, emitted = flow.boundaries(values), module.boundaries(**values)
+    # Roots of polynomials of degree eight, whose coefficients are off by some units.
+    assert ours == pytest.approx(emitted, rel=1e-10)
+    step = 1e-6 * (ours[1] - ours[0])
+    for edge, inward in zip(ours, (step, -step), strict=True):
+        assert module.growth_rate(**values, sigma_1=edge + inward) > 0
+        assert module.growth_rate(**values, sigma_1=edge - inward) < 1e-9
+
+
+def test_long_factors_are_left_alone() -> None:
+    """Determinants of a factor of many terms fill pages: numbers alone tell there."""
+    flow = flow_of("damped")
+    criteria_module.LONGEST, before = 5, criteria_module.LONGEST
+    try:
+        verdicts = flow_of("damped").stability.verdicts
+    finally:
+        criteria_module.LONGEST = before
+    assert [v.kind for v in verdicts] == ["unjudged"]
+    assert "no closed-form criterion" in verdicts[0].reason
+    assert flow.stability.verdicts[0].kind == "dissipative"

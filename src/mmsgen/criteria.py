@@ -273,11 +273,11 @@ class Judge:
             statement = "{0} has neutral modes" if conservative else "{0} is damped"
         elif not conservative and damping and self.domain.sign(self._leading(damping)) == -1:
             unstable, statement = True, "{0} has negative damping on the whole"
-        elif (edges := self._edges(criterion)) is not None:
-            unstable = True if self.domain.sign(edges.radicand) == 1 else None
-            statement = "{0} is unstable near resonance if {1} > 0"
-            shown = (*shown, self.symbols(edges.radicand))
         else:
+            found = [self._edges(p) for p in (*criteria.polynomials[:-1], criterion)]
+            if any(e is not None and self.domain.sign(e.radicand) == 1 for e in found):
+                unstable = True
+            edges = found[0] if len(found) == 1 else None  # with several it is a union of zones
             name = "subdiscriminants" if conservative else "Hurwitz determinants"
             statement = f"the signs of the {name} of {{0}} decide"
         return FactorVerdict(factor, kind, criterion, unstable, statement, shown, edges, criteria)
