@@ -38,7 +38,7 @@ def evolution_functions(setting: Setting, flow: Kernel) -> tuple[EmittedFunction
         own = values_of(point, setting.parameters)
         values, error = _values(setting, flow, own, point[TIME], point[AMPLITUDES])
         given = tuple(point[AMPLITUDES])
-        return Reference(own, (n,), values, (error,) * n, given, (point[TIME],))
+        return Reference(own, (n,), values, (error,) * n, given, {"time": point[TIME]})
 
     evolution = EmittedFunction(
         name="evolution",
