@@ -22,6 +22,7 @@ from .steady import (
     slow_fold,
     steady_state,
 )
+from .steady_agreement import demand_saddle_node, demand_steady_agreement
 
 if TYPE_CHECKING:
     from .expansion import Expansion
@@ -109,6 +110,8 @@ def _equilibrium(
         power = epsilon**weights
         state = steady_state(case, module, slow, exact, power * guess)
         guess = state.amplitudes / power
+        if epsilon == ordered[0]:
+            demand_steady_agreement(case, module, state)
         orbit = exact_orbit(case, state)
         sizes.append(amplitude_gap(case, state, orbit, power))
         rates.append(exponent_gap(case, state, orbit))
@@ -153,9 +156,13 @@ def _fold(
         slow, _ = scaled_values(case, own, epsilon)
         power = epsilon**weights
         found, b, direction = slow_fold(case, module, slow, power * guess)
+        if epsilon == ordered[0]:
+            demand_saddle_node(case, module, found, b)
         own[sigma], guess = found[sigma] / epsilon, b / power
         slow, exact = scaled_values(case, own, epsilon)
-        state = SteadyState(b, np.zeros(len(b)), slow, exact, reconstruction(case, slow))
+        state = SteadyState(
+            b, np.zeros(len(b)), np.zeros(0), slow, exact, reconstruction(case, slow)
+        )
         special = exact_fold(case, state, direction, abs(slow[sigma]) or epsilon)
         errors.append(abs(special.value - exact[str(pivot.name)]))
         floors.append(special.error)
