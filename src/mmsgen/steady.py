@@ -75,22 +75,22 @@ class SteadyState:
         B_j.
     turning : numpy.ndarray, shape (n,)
         Rate at which each drifts along the symmetries, rad/s.
-    drift : numpy.ndarray, shape (symmetries,)
-        Rates of the symmetries themselves.
     values : mapping
         Of the slow flow.
     exact : mapping
         Of the unexpanded equations.
     shape : Reconstruction
         Coordinates and velocities from the amplitudes.
+    drift : numpy.ndarray, shape (symmetries,)
+        Rates along the symmetries, of which `turning` consists.
     """
 
     amplitudes: Any
     turning: Any
-    drift: Any
     values: Mapping[str, float]
     exact: Mapping[str, float]
     shape: Reconstruction = field(repr=False)
+    drift: Any = ()
 
     @property
     def rates(self) -> Any:
@@ -177,7 +177,7 @@ def steady_state(
         if np.abs(change).max() < 1e-13 * scale:
             shape = reconstruction(case, values)
             own = np.where(np.abs(b) < 1e-12 * scale, 0.0, b)
-            return SteadyState(own, drift @ symmetries, drift, values, exact, shape)
+            return SteadyState(own, drift @ symmetries, values, exact, shape, drift)
     raise CertificateError(f"no equilibrium of the slow flow is found near {list(guess)}")
 
 

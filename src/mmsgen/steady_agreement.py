@@ -50,7 +50,7 @@ def demand_steady_agreement(case: Expansion, module: Any, state: SteadyState) ->
         Naming the function.
     """
     table, b, values = case.slow_flow.table, state.amplitudes, state.values
-    numbers, drift = table.numbers(values), state.drift
+    numbers, drift = table.numbers(values), np.asarray(state.drift)
 
     def at(name: str, *leading: Any, **options: Any) -> Any:
         function = getattr(module, name)
