@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from functools import cache, wraps
 from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -47,7 +48,13 @@ def forced(order: int) -> mg.Expansion:
     return oscillator(left).scale({mu: 1, alpha: 1, k: 1}).expand(order, {Omega: omega})
 
 
-def exponents(case: mg.Expansion, steady: mg.Steady, module: object = None) -> dict[str, float]:
+@cache
+def emitted(order: int) -> Any:
+    """Its functions."""
+    return load(forced(order))
+
+
+def exponents(case: mg.Expansion, steady: mg.Steady, module: Any = None) -> dict[str, float]:
     fits = steady_fits(case, module or load(case), steady)
     return {fit.quantity: fit.exponent for fit in fits}
 
@@ -58,14 +65,14 @@ def exponents(case: mg.Expansion, steady: mg.Steady, module: object = None) -> d
 
 @pytest.mark.parametrize("order", [1, 2])
 def test_primary_resonance(order: int) -> None:
-    found = exponents(forced(order), PRIMARY)
+    found = exponents(forced(order), PRIMARY, emitted(order))
     assert found["equilibrium amplitudes"] == pytest.approx(order, abs=0.05)
     assert found["stability"] == pytest.approx(order + 1, abs=0.05)
 
 
 @pytest.mark.parametrize("order", [1, 2])
 def test_saddle_node(order: int) -> None:
-    assert exponents(forced(order), FOLD) == {
+    assert exponents(forced(order), FOLD, emitted(order)) == {
         "saddle-node": pytest.approx(order + 1, abs=0.05),
     }
 
@@ -112,7 +119,7 @@ def test_rest_has_stability_alone() -> None:
 
 def test_a_wrong_coefficient_of_order_two_does_not_pass() -> None:
     # A term α²A³Ā² of order 2 that does not belong there moves amplitudes by O(ε), however small.
-    case, own = forced(2), load(forced(2))
+    case, own = forced(2), emitted(2)
 
     @wraps(own.slow_flow)
     def wrong(b: np.ndarray, **values: float) -> np.ndarray:
@@ -125,8 +132,8 @@ def test_a_wrong_coefficient_of_order_two_does_not_pass() -> None:
 def test_certificates_hold_steady_motions_when_asked_to(tmp_path) -> None:
     case = forced(1)
     options = {"amplitudes": [0.5 + 0.4j], "epsilons": [2.0**-j for j in range(4, 9)]}
-    plain = mg.certify(case, PRIMARY.values, **options)
-    full = mg.certify(case, PRIMARY.values, steady=[PRIMARY, FOLD], **options)
+    plain = mg.certify(case, PRIMARY.values, functions=emitted(1), **options)
+    full = mg.certify(case, PRIMARY.values, functions=emitted(1), steady=[PRIMARY, FOLD], **options)
     assert full.fits[0] == plain.fits[0]
     names = [fit.quantity for fit in full.fits[1:]]
     assert names == ["equilibrium amplitudes", "stability", "saddle-node"]
@@ -147,9 +154,36 @@ def test_certificates_hold_steady_motions_when_asked_to(tmp_path) -> None:
 def test_no_equilibrium_and_wrong_shapes_are_said(monkeypatch) -> None:
     case = forced(1)
     with pytest.raises(mg.CertificateError, match="1 amplitudes, got 2"):
-        steady_fits(case, load(case), mg.Steady(PRIMARY.values, [0.1, 0.2]))
+        steady_fits(case, emitted(1), mg.Steady(PRIMARY.values, [0.1, 0.2]))
     with pytest.raises(mg.CertificateError, match="no saddle-node"):
-        steady_fits(case, load(case), mg.Steady({**FOLD.values, "mu": 2.0}, [0.1], fold=True))
+        steady_fits(case, emitted(1), mg.Steady({**FOLD.values, "mu": 2.0}, [0.1], fold=True))
     slow = {**PRIMARY.values, "Omega": 1.3}
-    state = steady_state(case, load(case), slow, slow, [0.5])
-    assert abs(load(case).slow_flow(state.amplitudes, **PRIMARY.values)[0]) < 1e-14
+    state = steady_state(case, emitted(1), slow, slow, [0.5])
+    assert abs(emitted(1).slow_flow(state.amplitudes, **PRIMARY.values)[0]) < 1e-14
+
+
+@pytest.mark.parametrize(
+    ("name", "steady", "message"),
+    [
+        ("jacobian", PRIMARY, "jacobian is not the derivative"),
+        ("stability", PRIMARY, "stability is not what follows"),
+        ("equilibria", PRIMARY, "equilibria does not list"),
+        ("response", PRIMARY, "response is not the sum"),
+        ("frequency_response", FOLD, "frequency_response finds no saddle-node"),
+    ],
+)
+def test_emitted_functions_that_contradict_each_other(
+    name: str, steady: mg.Steady, message: str
+) -> None:
+    # One function takes a damping that is a tenth larger than the others': of the response, a
+    # frequency, on which its harmonics depend.
+    case, own = forced(1), emitted(1)
+    other = "omega" if name == "response" else "mu"
+
+    @wraps(getattr(own, name))
+    def wrong(*leading: object, **values: float) -> object:
+        return getattr(own, name)(*leading, **{**values, other: 1.1 * values[other]})
+
+    functions = {f: getattr(own, f) for f in own.__all__ if callable(getattr(own, f))}
+    with pytest.raises(mg.CertificateError, match=message):
+        steady_fits(case, SimpleNamespace(**{**functions, name: wrong}), steady)

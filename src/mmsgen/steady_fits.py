@@ -160,9 +160,7 @@ def _fold(
             demand_saddle_node(case, module, found, b)
         own[sigma], guess = found[sigma] / epsilon, b / power
         slow, exact = scaled_values(case, own, epsilon)
-        state = SteadyState(
-            b, np.zeros(len(b)), np.zeros(0), slow, exact, reconstruction(case, slow)
-        )
+        state = SteadyState(b, np.zeros(len(b)), slow, exact, reconstruction(case, slow))
         special = exact_fold(case, state, direction, abs(slow[sigma]) or epsilon)
         errors.append(abs(special.value - exact[str(pivot.name)]))
         floors.append(special.error)
