@@ -42,6 +42,8 @@ def _scaled(name: str) -> Any:
         return _system([u.diff(t, 2) + omega**2 * u + alpha * u**3], [u], {alpha: 1})
     if name == "soft":
         return _system([_damped(-k * drive)], [u], {**small, k: 1})
+    if name == "driven":
+        return _system([_damped(-k * drive).subs(alpha, 0)], [u], {mu: 1, k: 1})
     if name == "hard":
         return _system([_damped(-K * drive)], [u], small)
     if name == "swing":
@@ -64,6 +66,7 @@ CASES: dict[str, tuple[str, int, dict[sp.Expr, sp.Expr] | None]] = {
     "free3": ("free", 3, None),
     "primary1": ("soft", 1, {Omega: omega}),
     "primary2": ("soft", 2, {Omega: omega}),
+    "driven": ("driven", 1, {Omega: omega}),
     "super": ("hard", 2, {3 * Omega: omega}),
     "sub": ("hard", 1, {Omega: 3 * omega}),
     "swing": ("swing", 1, {Omega: 2 * omega}),

@@ -152,6 +152,20 @@ def test_infinitely_many_equilibria_are_told() -> None:
         functions("free2").equilibria(alpha=0.1, omega=1.0)
 
 
+def test_a_linear_oscillator_driven_in_resonance_without_damping_has_no_equilibrium() -> None:
+    """|B| = k/(4ωμ) otherwise, a formula that is k/0 there."""
+    driven, mu = functions("driven").equilibria, np.array([0.0, 0.1])
+    found, slopes = driven(sigma=0.0, k=0.2, mu=mu, omega=1.0, gradient=True)
+    assert found.number.tolist() == [0, 1]
+    assert np.isnan(found.amplitudes[0]).all()
+    assert np.isnan(slopes["k"].amplitudes[0]).all()
+    b = found.amplitudes[1, 0, 0]
+    assert abs(b) == pytest.approx(0.2 / 0.4, rel=1e-14)
+    assert slopes["k"].amplitudes[1, 0, 0] == pytest.approx(b / 0.2, rel=1e-13)
+    none = driven(sigma=0.0, k=0.2, mu=0.0, omega=1.0)
+    assert none.amplitudes.shape == (0, 1)
+
+
 # --- how they move --------------------------------------------------------------------------------
 
 
