@@ -15,7 +15,8 @@ The steps, each of which is a plain function that returns new equations:
     at_speed(eom)                             ω_b replaced by the lag frequency at speed, ω_φ
 
 and `eom.linearise()`, which may stand anywhere between them. `with_nonlinear_hinges(model)` gives
-the blades springs and dampers that are not linear.
+the blades springs and dampers that are not linear; `unlike_masses(eom)` in place of `isotropic`
+lets their masses differ.
 
 Source: Sanches, Michon, Berlioz and Alazard, "Response and instability prediction of helicopter
 dynamics on the ground", Int. J. Non-Linear Mechanics (2014), doi 10.1016/j.ijnonlinmec.2014.04.003.
@@ -42,6 +43,7 @@ __all__ = [
     "isotropic",
     "paper_values",
     "undamped",
+    "unlike_masses",
     "with_nonlinear_hinges",
 ]
 
@@ -60,7 +62,7 @@ m, inertia, K_b = _positive("m I K_b")
 c_x, c_y, c_b = _nonnegative("c_x c_y c_b")
 K_3 = sp.Symbol("K_3", real=True)
 c_2, c_3 = _nonnegative("c_2 c_3")
-r_m, r_b, r_a = _positive("r_m r_b r_a")
+r_m, r_b, r_a, r_h = _positive("r_m r_b r_a r_h")
 omega_x, omega_y, omega_b, omega_phi = _positive("omega_x omega_y omega_b omega_phi")
 mu_x, mu_y, mu_b, mu_2, mu_3 = _nonnegative("mu_x mu_y mu_b mu_2 mu_3")
 kappa = sp.Symbol("kappa", real=True)
@@ -182,6 +184,25 @@ def isotropic(eom: EquationsOfMotion, own_stiffness: bool = False) -> EquationsO
     return eom.reparametrise(_only_known(mapping, eom), shared)
 
 
+def unlike_masses(eom: EquationsOfMotion) -> EquationsOfMotion:
+    """Make all blades alike but for their masses, m_k = m(1 + e_k) and I_k = I(1 + e_k).
+
+    Lag springs and dampers are the same, so that a heavier blade is slower as well.
+    """
+    blades = range(1, _number_of_blades(eom) + 1)
+    shares = {k: sp.Symbol(f"e_{k}", real=True) for k in blades}
+    mapping = {}
+    for parameter in _BLADE:
+        for k, share in shares.items():
+            factor = 1 + share if parameter.symbol in (m, inertia) else 1
+            mapping[_of_blade(parameter, k).symbol] = factor * parameter.symbol
+    parameters = [
+        Parameter(share, "1", f"what blade {k} is heavier by, over the mass of a blade")
+        for k, share in shares.items()
+    ]
+    return eom.reparametrise(_only_known(mapping, eom), [*_BLADE, *parameters])
+
+
 def undamped(eom: EquationsOfMotion) -> EquationsOfMotion:
     """Take out every damper that the equations have."""
     dampers = [p.symbol for p in eom.parameters if p.name.startswith(("c_", "mu_"))]
@@ -191,15 +212,16 @@ def undamped(eom: EquationsOfMotion) -> EquationsOfMotion:
 def in_ratios(eom: EquationsOfMotion) -> EquationsOfMotion:
     """Write the equations of alike blades in ratios, frequencies and damping rates.
 
-    With M = m_f + N_b m and J = I + m b²: r_m = m b/M, r_b = m b/J, r_a² = a r_b, ω_x² = K_x/M,
-    ω_y² = K_y/M, ω_b² = K_b/J, 2μ_x = c_x/M, 2μ_y = c_y/M, 2μ_b = c_b/J, κ = K_3/J, μ_2 = c_2/J,
-    μ_3 = c_3/J. Solved for the old parameters, these leave m and b as units of mass and length,
-    which must cancel: it is checked.
+    With M the mass of it all and J = I + m b²: r_m = m b/M, r_b = m b/J, r_a² = a r_b, ω_x² =
+    K_x/M, ω_y² = K_y/M, ω_b² = K_b/J, 2μ_x = c_x/M, 2μ_y = c_y/M, 2μ_b = c_b/J, κ = K_3/J, μ_2 =
+    c_2/J, μ_3 = c_3/J. Solved for the old parameters, these leave m and b as units of mass and
+    length, which must cancel: it is checked. Where blades differ in mass, b stands in r_h = a/b.
     """
     N_b = _number_of_blades(eom)
     M, J = m * b / r_m, m * b / r_b
+    shares = [p.symbol for p in eom.parameters if p.name.startswith("e_")]
     mapping = {
-        m_f: M - N_b * m,
+        m_f: M - m * (N_b + sp.Add(*shares)),
         inertia: J - m * b**2,
         a: r_a**2 / r_b,
         K_x: M * omega_x**2,
@@ -230,7 +252,11 @@ def in_ratios(eom: EquationsOfMotion) -> EquationsOfMotion:
         frequency = _of_blade(parameters[8], k)
         mapping[_of_blade(_BLADE[2], k).symbol] = J * frequency.symbol**2
         parameters.append(frequency)
-    return eom.reparametrise(_only_known(mapping, eom), parameters, eliminate=[m, b])
+    if not shares:
+        return eom.reparametrise(_only_known(mapping, eom), parameters, eliminate=[m, b])
+    ratio = Parameter(r_h, "1", "eccentricity of a hinge over the distance from it to the centre")
+    with_length = eom.reparametrise(_only_known(mapping, eom), parameters, eliminate=[m])
+    return with_length.reparametrise({b: r_a**2 / (r_h * r_b)}, [ratio])
 
 
 def at_speed(eom: EquationsOfMotion) -> EquationsOfMotion:
@@ -287,6 +313,7 @@ def _paper() -> dict[str, sp.Expr]:
         "r_m": mass * arm / M,
         "r_b": mass * arm / J,
         "r_a": sp.sqrt(hinge * mass * arm / J),
+        "r_h": hinge / arm,
         **dict.fromkeys(("c_x", "c_y", "c_b", "mu_x", "mu_y", "mu_b"), sp.S.Zero),
     }
 
