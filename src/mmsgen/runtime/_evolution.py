@@ -34,23 +34,27 @@ __all__ = [
 Blocks = tuple[tuple[tuple[int, int], ...], ...]
 """For each block its variables: (j, 0) for B_j, (j, 1) for its conjugate."""
 
-_PADE = (
-    64764752532480000.0,
-    32382376266240000.0,
-    7771770303897600.0,
-    1187353796428800.0,
-    129060195264000.0,
-    10559470521600.0,
-    670442572800.0,
-    33522128640.0,
-    1323241920.0,
-    40840800.0,
-    960960.0,
-    16380.0,
-    182.0,
-    1.0,
+_PADE = tuple(
+    c / 64764752532480000.0
+    for c in (
+        64764752532480000.0,
+        32382376266240000.0,
+        7771770303897600.0,
+        1187353796428800.0,
+        129060195264000.0,
+        10559470521600.0,
+        670442572800.0,
+        33522128640.0,
+        1323241920.0,
+        40840800.0,
+        960960.0,
+        16380.0,
+        182.0,
+        1.0,
+    )
 )
-"""The numerator of the approximant; the denominator has the signs of the odd powers changed."""
+"""The numerator of the approximant; the denominator has the signs of the odd powers changed. With
+the first one 1, e^0 is 1 to the last bit."""
 
 _REACH = 5.371920351148152
 """Norm up to which the approximant is as good as double precision."""
