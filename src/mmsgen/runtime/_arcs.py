@@ -136,13 +136,13 @@ class Bow(NamedTuple):
 
     def towards(self, u: NDArray[np.float64]) -> NDArray[np.float64]:
         """Directions there, of length one."""
-        u, h = u[:, None], self.h[:, None]
+        u, h = u[:, None], np.maximum(self.h, 1e-300)[:, None]
         out = (
             (self.last - self.first) * (6.0 * u * (1.0 - u))
             + self.slope * (h * (1.0 - u) * (1.0 - 3.0 * u))
             + self.end * (h * u * (3.0 * u - 2.0))
         )
-        return out / np.linalg.norm(out, axis=-1)[:, None]
+        return out / np.maximum(np.linalg.norm(out, axis=-1), 1e-300)[:, None]
 
     def where(self, value: NDArray[np.float64]) -> NDArray[np.float64]:
         """The share at which the last coordinate takes a value between those at the ends."""
@@ -256,11 +256,23 @@ def _pieces(
         side[done] = np.where(
             w[done, -1] >= high[done], 1, np.where(w[done, -1] <= low[done], -1, 0)
         )
+        # Behind a fold p may have been outside in between.
+        turned = done[(tangent[done, -1] > 0.0) != (tangent_back[done, -1] > 0.0)]
+        top = _reach(bows(w_back[turned], tangent_back[turned], w[turned], tangent[turned]))
+        side[turned] = np.where(top[1] >= high[turned], 1, side[turned])
+        side[turned] = np.where(top[0] <= low[turned], -1, side[turned])
         going = going[(side[going] == 0) & (h[going] > SHORTEST)]
     return [
         Arc(np.array(a), np.array(t), scale[k], int(side[k]))
         for k, (a, t) in enumerate(zip(points, tangents, strict=True))
     ]
+
+
+def _reach(bow: Bow) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """The smallest and the largest p between two points, the points themselves left out."""
+    grid = np.linspace(0.0, 1.0, 18)[1:-1]
+    p = np.array([bow.at(np.full(len(bow.h), u), slice(-1, None))[:, 0] for u in grid])
+    return p.min(axis=0), p.max(axis=0)
 
 
 def on_plane(
@@ -307,9 +319,9 @@ def across(
 def landed(
     curve: Curve, arcs: list[Arc], plane: NDArray[np.float64]
 ) -> tuple[list[Arc], NDArray[np.bool_]]:
-    """The pieces cut where p takes a value in their last step, and whether a point is there.
+    """The pieces cut where p comes to a value in their last step, and whether a point is there.
 
-    Where it takes it several times, the last one counts.
+    Where it begins there, the next time counts.
     """
     bow = bows(*(np.array([getattr(a, x)[k] for a in arcs]) for k in (-2, -1) for x in FIELDS))
     scale = np.array([a.scale for a in arcs])
@@ -318,24 +330,38 @@ def landed(
     grid = np.linspace(0.0, 1.0, 33)
     p = np.array([bow.at(np.full(len(arcs), u), slice(-1, None))[:, 0] for u in grid])
     inside = np.where(upward, p < target, p > target)
-    last = len(grid) - 2 - np.argmax(inside[:-1][::-1], axis=0)
-    low, high = grid[last], grid[last + 1]
-    for _ in range(40):
-        middle = 0.5 * (low + high)
-        value = bow.at(middle, slice(-1, None))[:, 0]
-        before = np.where(upward, value < target, value > target)
-        low, high = np.where(before, middle, low), np.where(before, high, middle)
-    w = bow.at(low)
+    been = np.logical_or.accumulate(inside, axis=0)
+    out = np.argmax(been & ~inside, axis=0)
+    out = np.where(out == 0, len(grid) - 1, out)
+    u = grid[out - 1], grid[out]
+    sides = [across(curve, bow.at(x), scale, bow.towards(x), 3) for x in u]
+    ends = bows(*sides[0], *sides[1])
+    w, tangent = sides[0]
+    # The crossing stays between two points of the curve: the other sheet behind a fold close by
+    # may be as near, but not along the curve.
+    for _ in range(4):
+        share = ends.where(target)
+        whole = (ends.h > 1e-12)[:, None]
+        towards = np.where(whole, ends.towards(share), ends.slope)
+        w = np.where(whole, ends.at(share), ends.first)
+        w, tangent = across(curve, w, scale, towards, 3)
+        before = (w[:, -1] < target) == upward
+        new = (w, tangent, w, tangent)
+        mask = before[:, None]
+        chosen = (mask, mask, ~mask, ~mask)
+        ends = bows(*(np.where(m, x, y) for m, x, y in zip(chosen, new, ends[:4], strict=True)))
+        if np.abs(w[:, -1] - target).max(initial=0.0) < 1e-9:
+            break
     w[:, -1] = target
     w, steady = on_plane(curve, w, scale)
     with np.errstate(all="ignore"):
-        _, tangent = _bordered(curve, w, scale, bow.towards(low))
-    out = []
+        _, tangent = _bordered(curve, w, scale, tangent)
+    cut = []
     for k, a in enumerate(arcs):
         points, tangents = a.points.copy(), a.tangents.copy()
         points[-1], tangents[-1] = w[k], tangent[k]
-        out.append(Arc(points, tangents, a.scale, a.side))
-    return out, steady
+        cut.append(Arc(points, tangents, a.scale, a.side))
+    return cut, steady
 
 
 FIELDS = ("points", "tangents")
