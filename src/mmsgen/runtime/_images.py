@@ -55,7 +55,7 @@ def images(place: Chart) -> tuple[tuple[float, ...], ...]:
     rows = [[e[3 * k] - e[3 * k + 1] - (k == j) for k in range(p)] for j, e in flow.terms]
     basis = _reduced(rows)
     order = _minors(basis)
-    matrix = np.array(basis, dtype=np.int64).reshape(-1, p)
+    matrix = np.array(basis, dtype=np.int64).reshape(len(basis), p)
     generic = 1.0 + np.arange(p) + 1j * np.sqrt(2.0 + np.arange(p))
     found: list[tuple[float, ...]] = []
     points: list[NDArray[np.complex128]] = []
