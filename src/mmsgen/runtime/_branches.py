@@ -27,7 +27,8 @@ __all__ = ["response_of"]
 SECTIONS = 48
 """Values of the parameter at which all equilibria of several amplitudes are computed, at first."""
 
-SECTIONS_OF_ONE = 64
+SECTIONS_OF_ONE, LOOKED_AT = 40, 2048
+"""The same for one amplitude, and at how many values there its equilibria are counted."""
 
 
 def response_of(
@@ -62,8 +63,8 @@ def response_of(
     Notes
     -----
     All equilibria are computed at 48 values, twice as many where their number changes; for one
-    amplitude at every value. From there the branches are followed. A closed branch of two and
-    more amplitudes that lies between two neighbouring ones of these values is not seen.
+    amplitude at 2048. From there the branches are followed. A closed branch that lies between two
+    neighbouring ones of these values is not seen.
     """
     given = np.asarray(values)
     if given.ndim != 1 or given.dtype.kind not in "iuf" or not np.isfinite(given).all():
@@ -101,9 +102,10 @@ def _sections(
 ) -> tuple[NDArray[np.int64], Equilibria]:
     """Places among the values at which all equilibria are known, and these."""
     if flow.n == 1:
-        every = equilibria_of_one(flow, c)
+        looked = _spread(len(p), LOOKED_AT)
+        every = equilibria_of_one(flow, c[looked])
         number = every.number
-        chosen = np.unique(np.linspace(0, len(p) - 1, SECTIONS_OF_ONE).round().astype(np.int64))
+        chosen = _spread(len(looked), SECTIONS_OF_ONE)
         tops = []
         for a, b in pairwise(chosen):
             # A closed branch between two sections shows in the number of equilibria there.
@@ -111,8 +113,8 @@ def _sections(
             if number[top] > max(number[a], number[b]):
                 tops.append(top)
         chosen = np.unique(np.concatenate((chosen, np.array(tops, dtype=np.int64))))
-        return chosen, _picked(every, chosen)
-    chosen = np.unique(np.linspace(0, len(p) - 1, SECTIONS).round().astype(np.int64))
+        return looked[chosen], _picked(every, chosen)
+    chosen = _spread(len(p), SECTIONS)
     found = equilibria_of_many(flow, c[chosen])
     change = np.diff(found.number) != 0
     middle = (chosen[:-1] + chosen[1:])[change] // 2
@@ -126,6 +128,11 @@ def _sections(
         order = np.argsort(chosen)
         chosen, found = chosen[order], _picked(Equilibria(*both), order)
     return chosen, found
+
+
+def _spread(size: int, count: int) -> NDArray[np.int64]:
+    """At most `count` places among `size`, the first and the last with them."""
+    return np.unique(np.linspace(0, size - 1, count).round().astype(np.int64))
 
 
 def _picked(found: Equilibria, rows: NDArray[np.int64]) -> Equilibria:

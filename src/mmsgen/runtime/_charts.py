@@ -19,7 +19,7 @@ from ._systems import moving
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Chart", "certified", "chart", "equations", "normal", "polish", "unpack"]
+__all__ = ["Chart", "chart", "equations", "normal", "pack", "polish", "unpack"]
 
 
 class Chart(NamedTuple):
@@ -220,56 +220,3 @@ def polish(
             x, f = np.where(less[:, None], better, x), np.where(less[:, None], g, f)
             matrices = np.where(less[:, None, None], others, matrices)
     return unpack(place, x)
-
-
-def _sums(place: Chart, c: NDArray[Any], b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any]:
-    """Sums of the moduli of all terms, and a bound of their second derivatives, per amplitude.
-
-    Second derivatives by amplitudes k and l of Π B^α B̄^β are at most (α_k + β_k)(α_l + β_l)
-    (+ the first factor once more, where k = l) times the product with two powers less.
-    """
-    flow, size = place.flow, np.abs(b)
-    value, bend = np.zeros(b.shape), np.zeros(b.shape)
-    for m, (j, e) in enumerate(flow.terms):
-        degrees = [e[3 * k] + e[3 * k + 1] + abs(e[3 * k + 2]) for k in range(flow.n)]
-        whole = np.abs(c[..., m]) * np.prod(size ** np.array(degrees), axis=-1)
-        value[..., j] += whole
-        for k, x in enumerate(degrees):
-            for i, y in enumerate(degrees):
-                count = x * (x + abs(e[3 * k + 2])) if i == k else x * y
-                if i == k and x == 1 and e[3 * k + 2] == 0:
-                    count = 0  # linear in this amplitude
-                if count:
-                    bend[..., j] += whole * count / (size[..., k] * size[..., i])
-    if place.pivots:
-        turn = np.abs(np.array(flow.symmetries, dtype=np.float64))
-        value += (np.abs(rate) @ turn) * size
-        bend += 2.0 * turn.sum(axis=0)
-    return value, bend
-
-
-def certified(
-    place: Chart, c: NDArray[Any], b: NDArray[Any], rate: NDArray[Any]
-) -> NDArray[np.bool_]:
-    """Whether Kantorovich's theorem proves that there is exactly one equilibrium close by.
-
-    With η = |J⁻¹f|, β = |J⁻¹| and a bound L of the second derivatives, βLη ≤ ½ suffices
-    (Kantorovich 1948). Rounding errors of the residual are bounded by the sum of the moduli of
-    its terms, those of β by its condition.
-    """
-    with np.errstate(all="ignore"):
-        f, matrices = equations(place, c, b, rate)
-        value, bend = _sums(place, c, b, rate)
-        d = matrices.shape[-1]
-        inverse = solve(matrices, np.broadcast_to(np.eye(d), matrices.shape).copy())
-        error = np.repeat(2.0 * value, 2, axis=-1) * 2.0**-52 * (8 + 2 * len(place.flow.terms))
-        eta = (np.abs(inverse) @ (np.abs(f) + error)[..., None])[..., 0].max(axis=-1)
-        beta = np.abs(inverse).sum(axis=-1).max(axis=-1)
-        condition = beta * np.abs(matrices).sum(axis=-1).max(axis=-1)
-        # Within 2η no amplitude changes by more than a tenth of itself, so no second derivative
-        # by more than (11/10)^degree.
-        degree = max((sum(map(abs, e)) for _, e in place.flow.terms), default=0)
-        near = 4.0 * eta < 0.1 * np.abs(b).min(axis=-1)
-        bound = 4.0 * d * bend.max(axis=-1) * 1.1**degree
-        trusted = condition * d * 2.0**-52 < 1e-3
-        return near & trusted & (1.01 * beta * bound * 1.01 * eta <= 0.5)

@@ -65,7 +65,8 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
         Complete with probability one: every equilibrium that is isolated among the complex
         solutions, circles along symmetries counted as one point. Equilibria that fill curves or
         surfaces beyond that, as the normal modes of undamped free oscillators do, are left out.
-        Everything is NaN where a coefficient is not finite.
+        Everything is NaN where a coefficient is not finite. `certified` tells which of them are
+        proved to be equilibria, one each.
 
     Raises
     ------
