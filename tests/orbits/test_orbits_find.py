@@ -117,6 +117,11 @@ def test_multipliers_at_rest_are_those_of_floquet() -> None:
     own = np.sort_complex(orbit.multipliers)
     assert np.abs(own - np.sort_complex(known.value)).max() < known.error.max() + 1e-12
     assert orbit.verdict == mg.floquet.growth_rate(mathieu_duffing(), values).verdict == "unstable"
+    # What rounding leaves of rest is rest as well.
+    again = mg.orbits.find(problem, 1e-17 * np.ones((2, 5)))
+    assert np.abs(again.multipliers - orbit.multipliers).max() < 1e-12
+    path = mg.orbits.follow(problem, again, "Omega", 2.15)
+    assert path.reason == "reached"
 
 
 def test_linear_damping_gives_the_product_of_multipliers() -> None:

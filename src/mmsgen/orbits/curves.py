@@ -14,6 +14,9 @@ from ..floquet.points import Floats
 
 __all__ = ["Curve", "sampled", "scale_of", "table_for"]
 
+REST = 1e-12
+"""States below this, in their units, are what rounding leaves of rest."""
+
 SMALL = 1e-3
 """States that are smaller than this, over the largest, are measured by it."""
 
@@ -154,7 +157,7 @@ def _inverse(stages: int) -> Floats:
 
 
 def scale_of(curve: Curve) -> Floats:
-    """The size of each state; a state at rest is measured by the largest."""
+    """The size of each state; a state at rest is measured by the largest, and rest by 1."""
     size = np.abs(curve.states).max(axis=(0, 1))
     largest = float(size.max())
-    return np.maximum(size, SMALL * largest) if largest > 0 else np.ones_like(size)
+    return np.maximum(size, SMALL * largest) if largest > REST else np.ones_like(size)
