@@ -9,7 +9,23 @@ import pytest
 import sympy as sp
 from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
-from systems import Omega, alpha, beta, d, k, mu, omega, omega_1, omega_2, oscillator, pair, t, x, y
+from systems import (
+    Omega,
+    alpha,
+    beta,
+    d,
+    k,
+    kappa,
+    mu,
+    omega,
+    omega_1,
+    omega_2,
+    oscillator,
+    pair,
+    t,
+    x,
+    y,
+)
 
 import mmsgen as mg
 from mmsgen.runtime._flow import rates, spectrum
@@ -89,9 +105,6 @@ def test_a_motion_ends_on_the_cycle() -> None:
 def test_what_has_no_cycle_says_so() -> None:
     with pytest.raises(mg.OrbitError, match="comes to rest"):
         flow().limit_cycle({**VALUES, OVER: -0.2}, 1.01 * both_moving(-0.2)[1], time=2000.0)
-    free = oscillator(-mu * (1 - x**2) * d(x), sp.Integer(1)).scale({mu: 1}).expand(1).slow_flow
-    with pytest.raises(mg.OrbitError, match="the same in every phase"):
-        free.limit_cycle({"mu": 0.1}, [1.0])
     wrong = hopf()._replace(kind="saddle-node")
     with pytest.raises(mg.OrbitError, match="not at a saddle-node"):
         flow().limit_cycles(VALUES, wrong, OVER, (-0.2, -0.1))
@@ -100,3 +113,44 @@ def test_what_has_no_cycle_says_so() -> None:
         forced.expand(1, {Omega: omega}).slow_flow.limit_cycle(
             {"omega": 1.0, "alpha": 1.0, "k": 1.0, "sigma": 0.1}, [0.1, 0.2]
         )
+
+
+@cache
+def coupled() -> mg.SlowFlow:
+    """Two van der Pol oscillators with a weak spring between them, 1:1."""
+    first = -mu * (1 - x**2) * d(x) + kappa * (x - y)
+    second = -mu * (1 - y**2) * d(y) + kappa * (y - x)
+    scaled = pair(first, second).scale({mu: 1, kappa: 1})
+    return scaled.expand(1, {omega_2: omega_1}).slow_flow
+
+
+def test_beats_of_oscillators_that_are_not_locked() -> None:
+    # The slow flow is the same when both phases are shifted alike. Without coupling the phase
+    # difference turns at σ; a spring κ shifts both frequencies by κ/2 and changes the difference
+    # by O(κ²) alone.
+    flow, errors = coupled(), []
+    assert flow.table.flow.symmetries
+    for spring in (0.02, 0.01):
+        values = {"mu": 0.2, "kappa": spring, "omega_1": 1.0, "sigma": 0.3}
+        cycle = flow.limit_cycle(values, [1.0, 0.8j])
+        assert cycle.verdict == "stable"
+        errors.append(abs(cycle.frequency - 0.3))
+        assert cycle.drift[0] == pytest.approx(spring / 2, abs=10 * spring**2)
+    assert errors[0] / errors[1] == pytest.approx(4, abs=0.4)
+    # A second method: the whole slow flow, integrated over a period, turns the amplitudes by the
+    # drift and brings them back otherwise.
+    table = flow.table
+    numbers = table.numbers(values)
+    path = solve_ivp(
+        lambda _, b: rates(table.flow, numbers, b),
+        (0, cycle.period),
+        cycle.amplitudes(0.0),
+        "DOP853",
+        rtol=1e-12,
+        atol=1e-13,
+    )
+    (k,) = np.array(table.flow.symmetries)
+    turned = cycle.amplitudes(0.0) * np.exp(1j * k * cycle.drift[0] * cycle.period)
+    assert np.abs(path.y[:, -1] - turned).max() < 1e-9
+    with pytest.raises(mg.OrbitError, match="begin where they are not zero"):
+        flow.limit_cycle(values, [0.0, 1.0])

@@ -28,7 +28,8 @@ class CycleAnswers:
     ) -> LimitCycle:
         """The limit cycle of the slow flow that a motion from given amplitudes ends on.
 
-        The system itself then moves quasi-periodically.
+        The system itself then moves quasi-periodically. Where the slow flow is the same in every
+        phase of its amplitudes, the cycle is one in a frame that turns with the first of them.
 
         Parameters
         ----------
@@ -48,8 +49,7 @@ class CycleAnswers:
         Raises
         ------
         OrbitError
-            If the motion comes to rest or does not repeat, or the slow flow is the same in every
-            phase.
+            If the motion comes to rest or does not repeat.
         MmsgenError
             As for `growth_rate`.
         """
