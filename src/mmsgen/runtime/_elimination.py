@@ -187,7 +187,9 @@ def harmonics(
     zero = np.zeros(len(r), dtype=np.complex128)
     value: list[Any] = [zero] * (structure.degree + 1)
     slope, size = list(value), [0.0 * r] * (structure.degree + 1)
-    powers = {p: r**p for p in {p for _, _, p in structure.terms}}
+    powers = [np.ones_like(r)]  # a power of NumPy's takes as long as a dozen products
+    for _ in range(max((p for _, _, p in structure.terms), default=0)):
+        powers.append(powers[-1] * r)
     for i, k, p in structure.terms:
         term = c[:, i] * powers[p]
         value[k] = value[k] + term

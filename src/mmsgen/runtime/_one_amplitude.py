@@ -261,7 +261,7 @@ def _polished(
 ) -> _Point:
     """Newton's method in ln r and the angle; drops what is no equilibrium, or there twice."""
     own, r, angle = c[row], r.copy(), angle.copy()
-    going = np.arange(len(r))
+    going: Any = slice(None)
     for _ in range(16):
         s = _sums(structure, own[going], r[going], np.exp(1j * angle[going]))
         det = s.radial.real * s.angular.imag - s.radial.imag * s.angular.real
@@ -272,7 +272,7 @@ def _polished(
         short = np.minimum(1.0, 0.1 / np.maximum(length, 1e-300))
         r[going] *= np.exp(short * out)
         angle[going] += short * turn
-        going = going[length > 1e-9]
+        going = np.arange(len(r))[going][length > 1e-9]
         if not len(going):
             break
     s = _sums(structure, own, r, np.exp(1j * angle))
@@ -282,9 +282,11 @@ def _polished(
     row, r, angle = row[order], r[order], angle[order]
     kept = np.ones(len(row), dtype=bool)
     for shift in range(1, min(6, len(row))):
-        turned = np.abs(np.exp(1j * (angle[shift:] - angle[:-shift])) - 1.0)
-        near = (np.abs(r[shift:] - r[:-shift]) <= SAME * r[shift:]) & (turned <= SAME)
-        kept[shift:] &= ~(near & (row[shift:] == row[:-shift]) & kept[:-shift])
+        near = (r[shift:] - r[:-shift] <= SAME * r[shift:]) & (row[shift:] == row[:-shift])
+        later = np.flatnonzero(near) + shift
+        turned = np.abs(np.exp(1j * (angle[later] - angle[later - shift])) - 1.0)
+        later = later[turned <= SAME]
+        kept[later] &= ~kept[later - shift]
     order = order[kept]
     return _Point(row[kept], r[kept], angle[kept], s.at(order))
 

@@ -35,7 +35,7 @@ EPS = 2.0**-52
 SMALLEST = 2.0**-1000
 
 # How often an interval is halved to separate its roots; what is left then is near a double root.
-HALVINGS = 8
+HALVINGS = 12
 
 # A step of Newton's method that is relatively smaller than this is the last one: the next would be
 # of the size of its square.
@@ -150,11 +150,11 @@ def _noise(terms: int) -> float:
 @lru_cache(maxsize=64)
 def _bernstein(degree: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Matrices from powers to Bernstein coefficients on (0, 1), and from those to both halves'."""
-    matrix, halves = np.zeros((degree + 1, degree + 1)), np.zeros((degree + 1, 2 * degree + 2))
+    matrix, halves = np.zeros((degree + 1, degree + 1)), np.zeros((2 * degree + 2, degree + 1))
     for k in range(degree + 1):
         for j in range(k, degree + 1):
-            matrix[k, j] = comb(j, k) / comb(degree, k)
-            halves[k, j] = halves[degree - k, 2 * degree + 1 - j] = comb(j, k) / 2.0**j
+            matrix[j, k] = comb(j, k) / comb(degree, k)
+            halves[j, k] = halves[2 * degree + 1 - j, degree - k] = comb(j, k) / 2.0**j
     return matrix, halves
 
 
@@ -185,33 +185,35 @@ def _isolated(table: NDArray[np.float64]) -> tuple[Any, ...]:
     """
     degree = table.shape[1] - 1
     matrix, halves = _bernstein(degree)
-    b, row = table @ matrix, np.arange(len(table))
+    b, row = matrix @ table.T, np.arange(len(table))  # a column for each interval
     low, width, found = np.zeros(len(row)), 1.0, []
-    doubt = 1e-14 * np.abs(table).sum(axis=-1)
+    doubt = 1e-14 * np.abs(table.T).sum(axis=0)
     for level in range(HALVINGS + 1):
         negative = b < 0.0
-        change = negative[:, 1:] != negative[:, :-1]
-        number = np.count_nonzero(change, axis=-1)
+        change = negative[1:] != negative[:-1]
+        number = change.sum(axis=0, dtype=np.int8)
         # Coefficients that may be zero hide changes of sign.
-        number[np.abs(b).min(axis=-1) <= doubt[row]] = 2
+        number[np.abs(b).min(axis=0) <= doubt[row]] = 2
         single = np.flatnonzero(number == 1)
-        k = np.argmax(change[single], axis=-1)
-        left, right = b[single, k], b[single, k + 1]
+        k = np.argmax(change[:, single], axis=0)
+        left, right = b[k, single], b[k + 1, single]
         guess = low[single] + width * (k + left / (left - right)) / degree
-        sign = np.where(negative[single, 0], -1.0, 1.0)
+        sign = np.where(negative[0, single], -1.0, 1.0)
         found.append((row[single], low[single], low[single] + width, guess, sign))
         many = number > 1
-        row, low, b = row[many], low[many], b[many]
+        row, low, b = row[many], low[many], b[:, many]
         if level == HALVINGS or not len(row):
             break
         width *= 0.5
-        b = (b @ halves).reshape(-1, degree + 1)
-        row, low = np.repeat(row, 2), np.repeat(low, 2)
-        low[1::2] += width
+        both = halves @ b
+        b = np.concatenate((both[: degree + 1], both[degree + 1 :]), axis=1)
+        row, low = np.concatenate((row, row)), np.concatenate((low, low + width))
     hard = np.unique(row)
     parts = [np.concatenate(p) for p in zip(*found, strict=True)]
-    easy = ~np.isin(parts[0], hard)
-    return *(p[easy] for p in parts), hard
+    easy = np.ones(len(table), dtype=bool)
+    easy[hard] = False
+    keep = easy[parts[0]]
+    return *(p[keep] for p in parts), hard
 
 
 def _by_derivatives(
