@@ -17,7 +17,6 @@ Sources: Mourrain, Rouillier and Roy (2005) on Bernstein coefficients and Descar
 
 from __future__ import annotations
 
-from functools import lru_cache
 from math import comb
 from typing import TYPE_CHECKING, Any
 
@@ -147,15 +146,25 @@ def _noise(terms: int) -> float:
     return (2.0 * terms + 6.0) * EPS / 2.0
 
 
-@lru_cache(maxsize=64)
-def _bernstein(degree: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Matrices from powers to Bernstein coefficients on (0, 1), and from those to both halves'."""
-    matrix, halves = np.zeros((degree + 1, degree + 1)), np.zeros((2 * degree + 2, degree + 1))
-    for k in range(degree + 1):
-        for j in range(k, degree + 1):
-            matrix[j, k] = comb(j, k) / comb(degree, k)
-            halves[j, k] = halves[2 * degree + 1 - j, degree - k] = comb(j, k) / 2.0**j
-    return matrix, halves
+def _bernstein(table: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bernstein coefficients on (0, 1), b_j = Σ_k C(j, k) a_k / C(d, k), one row for each j."""
+    degree = table.shape[1] - 1
+    b = table.T / np.array([[float(comb(degree, k))] for k in range(degree + 1)])
+    for i in range(1, degree + 1):  # Pascal's triangle
+        b[i:] += b[i - 1 : -1].copy()
+    return b
+
+
+def _halved(b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Bernstein coefficients on the left halves, then on the right halves: de Casteljau."""
+    degree, count = len(b) - 1, b.shape[1]
+    out = np.empty((degree + 1, 2 * count))
+    out[0, :count], out[degree, count:] = b[0], b[-1]
+    for k in range(1, degree + 1):
+        b = b[:-1] + b[1:]
+        b *= 0.5
+        out[k, :count], out[degree - k, count:] = b[0], b[-1]
+    return out
 
 
 Flat = tuple["NDArray[np.int64]", "NDArray[np.float64]"]
@@ -184,8 +193,7 @@ def _isolated(table: NDArray[np.float64]) -> tuple[Any, ...]:
         Rows whose roots halving an interval some times did not separate, if they have any.
     """
     degree = table.shape[1] - 1
-    matrix, halves = _bernstein(degree)
-    b, row = matrix @ table.T, np.arange(len(table))  # a column for each interval
+    b, row = _bernstein(table), np.arange(len(table))  # a column for each interval
     low, width, found = np.zeros(len(row)), 1.0, []
     doubt = 1e-14 * np.abs(table.T).sum(axis=0)
     for level in range(HALVINGS + 1):
@@ -205,8 +213,7 @@ def _isolated(table: NDArray[np.float64]) -> tuple[Any, ...]:
         if level == HALVINGS or not len(row):
             break
         width *= 0.5
-        both = halves @ b
-        b = np.concatenate((both[: degree + 1], both[degree + 1 :]), axis=1)
+        b = _halved(b)
         row, low = np.concatenate((row, row)), np.concatenate((low, low + width))
     hard = np.unique(row)
     parts = [np.concatenate(p) for p in zip(*found, strict=True)]
