@@ -84,29 +84,35 @@ def test_units_do_not_matter() -> None:
 
 
 @pytest.mark.parametrize(
-    ("row", "roots"),
+    ("row", "roots", "multiplicity"),
     [
-        ([-1, 3, -3, 1], [1.0]),  # at the cut of the half-line, three times
-        ([1, -2, 1], [1.0]),
-        ([2, -3, 1], [1.0, 2.0]),
-        ([1, 0, -2, 0, 1], [1.0]),
-        ([-1, 1, 0, 0, 0], [1.0]),
-        ([0, 0, -3, 1], [3.0]),
-        ([1, 1, 1], []),
-        ([0, 0, 0], []),
-        ([5, 0, 0], []),
-        ([np.nan, 1, -1], []),
-        ([-1, np.inf, 1], []),
-        ([-1, 1, 1e-300], [1.0]),
-        ([1e-30, -1, 1], [1e-30, 1.0]),
-        ([1e-200, -1, 1, -1e-90], [1e-200, 1.0, 1e90]),
+        ([-1, 3, -3, 1], [1.0], 3),  # at the cut of the half-line
+        ([1, -2, 1], [1.0], 2),
+        ([2, -3, 1], [1.0, 2.0], 1),
+        ([1, 0, -2, 0, 1], [1.0], 2),
+        ([-1, 1, 0, 0, 0], [1.0], 1),
+        ([0, 0, -3, 1], [3.0], 1),
+        ([1, 1, 1], [], 1),
+        ([0, 0, 0], [], 1),
+        ([5, 0, 0], [], 1),
+        ([np.nan, 1, -1], [], 1),
+        ([-1, np.inf, 1], [], 1),
+        ([-1, 1, 1e-300], [1.0], 1),
+        ([1e-30, -1, 1], [1e-30, 1.0], 1),
+        ([1e-200, -1, 1, -1e-90], [1e-200, 1.0, 1e90], 1),
+        ([1e-300, -1, 0, 0, 0, 0, 0, 0, 0, 1], [1e-300, 1.0], 1),
+        ([3, -10, 12, -6, 1], [1.0, 3.0], 3),
+        (list(np.poly([1.1, 1.1, 1.1, 3.3, -0.7])[::-1]), [1.1, 3.3], 3),
+        # The half is double, and one of the points at which intervals are halved.
+        ([1, -8.0625, 20.5, -17.25, 1], [0.25, 0.5, 16.0], 2),
     ],
 )
-def test_particular_polynomials(row: list[float], roots: list[float]) -> None:
+def test_particular_polynomials(row: list[float], roots: list[float], multiplicity: int) -> None:
     found = positive_roots(np.array(row, dtype=float))
     found = found[np.isfinite(found)]
-    # Relative errors of some roundings, the cube root of one for the triple root.
-    assert found == pytest.approx(roots, rel=1e-5 if row == [-1, 3, -3, 1] else 1e-14, abs=0.0)
+    # A dozen roundings, and their root where a root is multiple.
+    rounding = (20 * EPS) ** (1 / multiplicity)
+    assert found == pytest.approx(roots, rel=rounding, abs=0.0)
 
 
 def test_near_double_roots_are_reported() -> None:
@@ -119,6 +125,10 @@ def test_near_double_roots_are_reported() -> None:
         assert np.isfinite(roots).sum() == count
         assert extrema[0] == pytest.approx(1.3, rel=1e-10)
         assert np.isnan(extrema[1:]).all()
+    # At the cut of the half-line.
+    roots, extrema = near_roots([1.0 + 1e-10, -2.0, 1.0], 1e-8)
+    assert np.isnan(roots).all()
+    assert extrema[np.isfinite(extrema)] == pytest.approx(1.0, rel=1e-9)
     assert np.isnan(near_roots([1.69 + 1e-6, -2.6, 1.0], 1e-8)[1]).all()
 
 
