@@ -305,5 +305,54 @@ right.set(xlabel="σ (rad/s)", ylabel="largest lag angle of blade 1 (rad)", ylim
 right.legend(frameon=False, fontsize="small")
 figures["ground_resonance_beating"] = figure
 
+# %% [markdown]
+# ## 7. Equal supports
+#
+# One more resonance of the isotropic rotor is never unstable: supports that are equally stiff,
+# $\omega_y = \omega_x$. The blades couple both directions to second order, the coupling is
+# gyroscopic, and the plane in which the fuselage swings turns, as that of Foucault's pendulum does.
+# With $\omega_y = \omega_x + \varepsilon\sigma$:
+
+# %%
+internal = {order: scaled.expand(order, {rotor.omega_y: rotor.omega_x}) for order in (2, 4)}
+display(report.solvability(internal[2], 2, only=[x, y]))
+report.verdict(internal[2])
+
+# %% [markdown]
+# Order 2 is the first that couples, and so knows the rate of turning to its leading term alone; the
+# next one comes with order 4. At $\sigma = 0$ and $\Omega = 15$ rad/s, pushed by 5 cm along $x$,
+# with the slow flow of order 4:
+
+# %%
+speed = 15.0
+lag = float(np.hypot(SOFT["omega_b"], SOFT["r_a"] * speed))
+equal = {**SOFT, "Omega": speed, "omega_phi": lag, "omega_y": SOFT["omega_x"]}
+own = {**arguments(internal[4], equal), "sigma": 0.0}
+del own["omega_y"]
+uniform = reconstruction(internal[4], own)
+state = 0.05 * np.eye(12)[0]
+amplitudes_0 = initial_amplitudes(uniform, state)
+half_turns = {
+    order: case.slow_flow.beating(own, amplitudes_0).period[0] for order, case in internal.items()
+}
+times = np.linspace(0.0, 2.0 * half_turns[4], 4001)
+amplitudes = internal[4].slow_flow.evolution(own, amplitudes_0, times)
+slow, found = uniform(times, amplitudes.T), exact(nonlinear, equal, state, times)
+figure, panels = plt.subplots(2, figsize=(7.2, 4.6), sharex=True, layout="constrained")
+for axes, row, label in zip(panels, (0, 1), ("x (m)", "y (m)"), strict=True):
+    plotting.time_response(
+        times,
+        {"nonlinear equations": found[row], "slow flow, order 4": slow[row]},
+        {"envelope": 2 * np.abs(amplitudes[:, row])},
+        ylabel=label,
+        axes=axes,
+    )
+panels[0].set_xlabel("")
+panels[1].get_legend().remove()
+panels[0].set_title(f"${report.case_title(internal[4])}$", fontsize="medium", loc="left")
+figures["ground_resonance_free_omega_y_is_omega_x"] = figure
+for order, period in half_turns.items():
+    print(f"order {order}: the plane of the motion has turned by 180 degrees after {period:.2f} s")
+
 # %%
 Markdown(mg.publish(figures=figures))
