@@ -151,6 +151,41 @@ def test_saturation() -> None:
     assert found.number.tolist() == [1, 3, 3, 3, 3]
 
 
+def test_three_amplitudes() -> None:
+    """Ω ≈ ω_1 + ω_2 with the sum driven by a third mode: its amplitude saturates.
+
+    B_1' = −m_1 B_1 + i p B̄_2 B_3 and the like give m_1 m̄_2 = p q |B_3|², however large the force.
+    The symmetry (1, −1, 0) drifts.
+    """
+    exponents = [
+        (0, (1, 0, 0, 0, 0, 0)),
+        (1, (0, 0, 1, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 1, 0)),
+        (0, (0, 0, 0, 1, 1, 0)),
+        (1, (0, 1, 0, 0, 1, 0)),
+        (2, (1, 0, 1, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0)),
+    ]
+    terms = tuple(
+        (j, tuple(x for r, s in zip(e[::2], e[1::2], strict=True) for x in (r, s, 0)))
+        for j, e in exponents
+    )
+    flow = Flow(3, terms, ((1, -1, 0),))
+    assert generic_counts(flow) == {(2,): 1, (0, 1, 2): 4}
+    # Floating-point determinants of small integers.
+    assert mixed_volume(equilibrium_system(flow, (0, 1, 2))) == pytest.approx(4, abs=1e-9)
+    forces = np.array([0.002, 0.05, 0.1])
+    c = np.array([[-0.02, -0.03, -0.05 - 0.1j, -0.5j, -0.4j, -0.3j, -1j * f] for f in forces])
+    found = equilibria_of_many(flow, c)
+    assert np.all(certified(flow, c, found).sum(axis=-1) == found.number)
+    both = found.modulus[:, :, 0] > 0.0
+    assert both.sum(axis=-1).tolist() == [0, 1, 1]
+    # Newton's method at conditions below 1e3.
+    saturated = 2 * np.sqrt(0.02 * 0.03 / (0.5 * 0.4))
+    assert found.modulus[both, 2] == pytest.approx(saturated, rel=1e-12)
+    assert found.drift[both] == pytest.approx(0.0, abs=1e-13)
+
+
 def van_der_pol_pair() -> tuple[Flow, np.ndarray]:
     """B_j' = (1 + i d_j)B_j − (1 + i j)B_j|B_j|² − κB_j|B_l|², κ = ½: four equilibria."""
     flow = table([*DAMPED, *CUBIC], ((1, 0), (0, 1)))

@@ -256,11 +256,12 @@ def _pieces(
         side[done] = np.where(
             w[done, -1] >= high[done], 1, np.where(w[done, -1] <= low[done], -1, 0)
         )
-        # Behind a fold p may have been outside in between.
         turned = done[(tangent[done, -1] > 0.0) != (tangent_back[done, -1] > 0.0)]
-        top = _reach(bows(w_back[turned], tangent_back[turned], w[turned], tangent[turned]))
-        side[turned] = np.where(top[1] >= high[turned], 1, side[turned])
-        side[turned] = np.where(top[0] <= low[turned], -1, side[turned])
+        bow = bows(w_back[turned], tangent_back[turned], w[turned], tangent[turned])
+        outside = _outside(curve, bow, scale[turned], low[turned], high[turned])
+        for k, (which, fold, along) in zip(turned, outside, strict=True):
+            if which:
+                points[k][-1], tangents[k][-1], side[k] = fold, along, which
         going = going[(side[going] == 0) & (h[going] > SHORTEST)]
     return [
         Arc(np.array(a), np.array(t), scale[k], int(side[k]))
@@ -268,11 +269,30 @@ def _pieces(
     ]
 
 
-def _reach(bow: Bow) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The smallest and the largest p between two points, the points themselves left out."""
-    grid = np.linspace(0.0, 1.0, 18)[1:-1]
+def _outside(
+    curve: Curve,
+    bow: Bow,
+    scale: NDArray[np.float64],
+    low: NDArray[np.float64],
+    high: NDArray[np.float64],
+) -> list[tuple[int, NDArray[np.float64], NDArray[np.float64]]]:
+    """Whether p leaves its bounds at a fold between two points, and the fold: side, point, tangent.
+
+    Side 0 where it does not.
+    """
+    out = [(0, x, t) for x, t in zip(bow.first, bow.slope, strict=True)]
+    if not out:
+        return out
+    # The cubic tells how far p goes to a part of a step; where that is close, the fold decides.
+    grid = np.linspace(0.0, 1.0, 17)
     p = np.array([bow.at(np.full(len(bow.h), u), slice(-1, None))[:, 0] for u in grid])
-    return p.min(axis=0), p.max(axis=0)
+    margin = 0.1 * (p.max(axis=0) - p.min(axis=0)) + 1e-9
+    near = np.flatnonzero((p.max(axis=0) > high - margin) | (p.min(axis=0) < low + margin))
+    if len(near):
+        w, tangent = turning(curve, bow.pick(near), scale[near])
+        for k, x, t in zip(near, w, tangent, strict=True):
+            out[k] = (int(x[-1] >= high[k]) - int(x[-1] <= low[k]), x, t)
+    return out
 
 
 def on_plane(

@@ -139,7 +139,7 @@ def _polished(
             good = np.isfinite(step).all(axis=1)
             x[todo[good]] += step[good]
             # Newton's method doubles the digits: what is left is below the rounding.
-            todo = todo[good & (np.abs(step / scale[todo]).max(axis=1) > 1e-7)]
+            todo = todo[good & (np.abs(step / scale[todo]).max(axis=1) > 1e-9)]
     return x
 
 
