@@ -71,6 +71,7 @@ def test_cycles_grow_out_of_a_hopf_point() -> None:
     # Its size is that of the square root of the distance: where the amplitude doubles, the
     # distance is four times as large, up to a relative change of the order of the distance.
     sizes = np.array([np.ptp(c.modulus[0]) for c in family.cycles])
+    assert (np.diff(sizes) > 0).all()
     small = sizes < 0.15
     assert small.sum() >= 3
     slope = np.polyfit(

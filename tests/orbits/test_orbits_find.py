@@ -13,6 +13,7 @@ from mmsgen.floquet.collocation import gauss_table
 from mmsgen.motion import first_order_system
 from mmsgen.orbits.collocation import Setting, newton
 from mmsgen.orbits.curves import sampled, scale_of
+from mmsgen.orbits.records import PeriodicOrbit
 
 FORCED = {"mu": 0.05, "alpha": 0.1, "K": 0.3, "Omega": 1.1}
 
@@ -136,6 +137,21 @@ def test_error_estimates_hold_and_follow_the_tolerance() -> None:
         gap = np.abs(orbit.states - exact.states).max(axis=1)
         assert (gap <= orbit.error + exact.error).all()
         assert (orbit.error <= 2 * tolerance * np.abs(orbit.states).max(axis=1)).all()
+
+
+def test_rounding_is_part_of_the_error() -> None:
+    # Two ways to one orbit, on different meshes, differ by rounding alone, which the equations of
+    # a weakly damped motion enlarge a thousandfold.
+    values = {"mu": 2e-4, "alpha": 1e-3, "K": 1e-3, "Omega": 1.002}
+    problem = mg.orbits.problem(duffing(), values)
+    first = mg.orbits.find(problem, lambda s: [2 * np.cos(1.002 * s)], tolerance=1e-12)
+    finer = PeriodicOrbit(**{**vars(first), "curve": first.curve.refined(80)})
+    again = mg.orbits.find(problem, finer, tolerance=1e-12)
+    assert first.curve.intervals != again.curve.intervals
+    gap = np.abs(first.states - again.states).max(axis=1)
+    assert (gap > 1e-15).all()
+    assert (gap <= first.error + again.error).all()
+    assert (first.error < 1e-9).all()
 
 
 def test_order_of_convergence() -> None:
