@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Bow, Curve, bows, turning
+from ._arcs import Curve, turning
+from ._bows import Bow, bows
 from ._charts import Chart, equations, unpack
 from ._nets import Link, Net
 from ._paths import solve
