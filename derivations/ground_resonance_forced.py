@@ -150,6 +150,17 @@ def orbit(case, values):
 
 
 # %% [markdown]
+# The slow flow has no other equilibrium, and this one is stable:
+
+# %%
+for name, both in cases.items():
+    for case in both:
+        found = case.slow_flow.equilibria(numbers(name, 0.2))
+        assert found.number == 1 and found.stable.all()
+        # Of size 0.02, from systems of a condition of 10: each rounded to 1e-16.
+        assert np.abs(found.amplitudes[0] - steady(case, numbers(name, 0.2))[0]).max() < 1e-15
+
+# %% [markdown]
 # ## 5. The amplitude at equilibrium
 #
 # Lines: orders 1 and 2. Points: periodic motions of the unexpanded nonlinear equations, all of

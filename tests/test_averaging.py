@@ -42,10 +42,8 @@ CATALOGUE = sorted(
     for path in (ROOT / "derivations").glob("*.py")
     if path.read_text("utf-8").startswith("# %%") and "mg.Emission(" in path.read_text("utf-8")
 )
-LONG = {
-    "ground_resonance": 1,
-    "ground_resonance_forced": 0,
-}  # entries with many long cases, and how many to do every day
+# Entries with long cases, and how many of these to do every day.
+LONG = {"ground_resonance": 1, "ground_resonance_forced": 0}
 
 
 def coefficients(averaging: Averaging, rate: Poly) -> dict[Key, Poly]:

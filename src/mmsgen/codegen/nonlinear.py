@@ -19,7 +19,7 @@ from ..ir import compute_ir, fresh
 from .curves import backbone_function, response_function
 from .exact import exact
 from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Reference, called
-from .numpy_target import wrapped
+from .numpy_target import LINE_LENGTH, wrapped
 from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
@@ -56,7 +56,10 @@ def _kernel(setting: Setting) -> tuple[Kernel, str]:
 def _constant(setting: Setting) -> Constant:
     n, terms, symmetries = setting.flow.table.flow
     inner = "\n".join(wrapped([str(term) for term in terms], 8))
-    items = (str(n), f"(\n{inner}\n    )", str(symmetries))
+    circles = str(symmetries)
+    if len(circles) > LINE_LENGTH - 5:
+        circles = "(\n" + "\n".join(wrapped([str(k) for k in symmetries], 8)) + "\n    )"
+    items = (str(n), f"(\n{inner}\n    )", circles)
     return Constant(TABLE, "Flow", items, "terms of the slow flow: equation, powers of B, B̄, |B|")
 
 
