@@ -110,6 +110,17 @@ def test_two_amplitudes_one_of_them_at_rest_or_not(start: list[complex]) -> None
     assert found["stability"] == pytest.approx(3, abs=0.05)
 
 
+def test_saddle_node_of_two_amplitudes() -> None:
+    scaled = pair(
+        2 * mu * d(x) + alpha * x * y, 2 * mu * d(y) + beta * x**2 - k * sp.cos(Omega * t)
+    ).scale({alpha: 1, beta: 1, mu: 1, k: 1})
+    case = scaled.expand(1, {Omega: 2 * omega_1, omega_2: 2 * omega_1})
+    first, second = (str(r.detuning) for r in case.relations)
+    values = {"mu": 0.05, "k": 0.9, "alpha": 0.8, "beta": 0.8, "omega_1": 1.0}
+    steady = mg.Steady({**values, first: -0.46, second: 0.2}, [0.98 + 0.98j, 0.13 - 0.58j], True)
+    assert exponents(case, steady) == {"saddle-node": pytest.approx(2, abs=0.05)}
+
+
 def test_rest_has_stability_alone() -> None:
     left = 2 * mu * d(x) + 2 * f * sp.cos(Omega * t) * x + alpha * x**3
     case = oscillator(left).scale({mu: 1, f: 1, alpha: 1}).expand(1, {Omega: 2 * omega})
