@@ -266,6 +266,27 @@ def test_refusals(make: Callable[[], Any], error: type[MmsgenError], words: str)
         make()
 
 
+def test_limit_cycle_of_negative_damping_with_drag() -> None:
+    """μ a/2 = 4βω a²/(3π): what drives and what brakes are equal at a = 3πμ/(8βω)."""
+    flow = first_order(beta * DRAG - mu * v)
+    values = {"omega": 1.7, "beta": 0.4, "mu": 0.3}
+    rest, cycle = flow.equilibria(values).modulus[:, 0]
+    # A root of a quadratic with coefficients of size 1, polished: a few roundings of 1e-16.
+    assert rest == 0 and cycle == pytest.approx(3 * np.pi * 0.3 / (8 * 0.4 * 1.7), rel=1e-14)
+    assert list(flow.equilibria(values).stable) == [False, True]
+
+
+def test_drag_under_a_force() -> None:
+    """(σ a)² + (4βω a²/3π)² = (κ/2ω)², at any detuning."""
+    left = beta * DRAG - kappa * sp.cos(Omega * t)
+    scaled = oscillator(left).scale({beta: 1, kappa: 1})
+    flow = scaled.expand(1, {Omega: omega}).slow_flow
+    relation = (sigma * a) ** 2 + (4 * beta * omega * a**2 / (3 * sp.pi)) ** 2
+    relation -= (kappa / (2 * omega)) ** 2
+    ratio = sp.cancel(flow.response_relation() / relation)
+    assert ratio != 0 and not ratio.has(a, sigma, kappa)
+
+
 def test_certificate_of_a_damped_oscillator() -> None:
     """Emitted functions and the motion of the unexpanded equation: off by ε at times of 1/ε."""
     left = beta * DRAG + alpha * x**3 - mu * v
