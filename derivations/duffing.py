@@ -13,6 +13,7 @@
 # %%
 import matplotlib.pyplot as plt
 import mpmath as mp
+import numpy as np
 import sympy as sp
 from IPython.display import Markdown, Math, display
 from sympy.physics.mechanics import dynamicsymbols
@@ -99,7 +100,12 @@ assert polar[a] == 0
 ratio = sp.expand(1 + (polar[gamma] / omega_0).subs(alpha, y * omega_0**2 / a**2))
 ascending(r"\frac{\omega}{\omega_0}", ratio)
 
+# %% [markdown]
+# It is the backbone curve of the driven oscillator as well: `backbone` gives $\dot\gamma$ over the
+# amplitude, and the series is the printed one.
+
 # %%
+assert sp.expand(cases[4].slow_flow.backbone()[gamma] - polar[gamma]) == 0
 printed = 1 + 3 * y / 8 - 15 * y**2 / 256 + 123 * y**3 / 8192 - 921 * y**4 / 262144
 assert sp.expand(ratio - printed) == 0
 
@@ -202,6 +208,38 @@ axes.legend(frameon=False, fontsize="small")
 plt.show()
 
 # %% [markdown]
+# At amplitudes that are not small the series part from each other. Points: periodic motions of
+# the equation found by collocation, which knows nothing of elliptic functions and must have their
+# frequency.
+
+# %%
+sizes = np.linspace(0.0, 2.4, 121)
+curves = {
+    f"order {n}": (sp.lambdify(y, truncated(ratio, y, n))(sizes**2) * np.ones_like(sizes), sizes)
+    for n in cases
+}
+problem = mg.orbits.problem(eom, {omega_0: 1, alpha: 1})
+orbits = []
+for reach in np.linspace(0.2, 2.4, 12):
+    _, speed = exact_pair(mp.mpf(reach) ** 2)
+    # a whole family of orbits passes by: the nearest one is found
+    orbit = mg.orbits.find(problem, [reach, 0.0], float(2 * mp.pi / speed), isolated=False)
+    u_0, v_0 = orbit.states[:, 0]
+    energy = v_0**2 / 2 + u_0**2 / 2 + u_0**4 / 4
+    square, speed = exact_pair(mp.sqrt(1 + 4 * energy) - 1)
+    assert abs(orbit.amplitude() - mp.sqrt(square)) < 1e-8
+    assert abs(2 * np.pi / orbit.period - speed) < 1e-8
+    orbits.append((2 * np.pi / orbit.period, orbit.amplitude()))
+axes = plotting.backbone(
+    curves,
+    tuple(np.transpose(orbits)),
+    xlabel=r"$\omega/\omega_0$",
+    ylabel=r"$a\sqrt{\alpha}/\omega_0$",
+)
+axes.set(xlim=(0.9, 2.5), ylim=(0, 2.5))
+plt.show()
+
+# %% [markdown]
 # ## 6. Certificates
 #
 # The same without any knowledge of the exact solution, as for every other system: motions of the
@@ -231,13 +269,13 @@ plt.show()
 # %% [markdown]
 # ## 7. The emitted functions
 #
-# `slow_flow` gives $\mathrm dA/\mathrm dt$ for complex amplitudes; the frequency shift at
-# amplitude $a$ is its imaginary part over $a/2$:
+# `slow_flow` gives $\mathrm dA/\mathrm dt$ for complex amplitudes, `backbone` the shift of the
+# frequency at a real amplitude:
 #
 # ```python
 # from mms_functions.duffing import nonresonant_order_4 as case
 #
-# shift = case.slow_flow([a / 2], omega_0=1.0, alpha=0.3)[..., 0].imag / (a / 2)
+# shift = case.backbone(0.5, omega_0=1.0, alpha=0.3)
 # ```
 
 # %%

@@ -12,9 +12,8 @@
 # %%
 import matplotlib.pyplot as plt
 import numpy as np
-import steady
 import sympy as sp
-from IPython.display import Markdown, display
+from IPython.display import Markdown, Math, display
 from sympy.physics.mechanics import dynamicsymbols
 
 import mmsgen as mg
@@ -92,29 +91,54 @@ display(report.solvability(primary[2], 1), report.solvability(primary[2], 2))
 report.modulation(primary[1])
 
 # %% [markdown]
-# In a steady state both rates vanish. They are linear in $\sin\gamma$ and $\cos\gamma$; the sum
-# of the squares of these is one, and that is the printed frequency response
-#
-# $$\left[\mu^2 + \left(\sigma - \frac{3\alpha a^2}{8\omega_0}\right)^2\right] a^2
-#   = \frac{K^2}{4\omega_0^2} .$$
+# In a steady state both rates vanish. `response_relation` eliminates the phase and gives the
+# polynomial that is zero then:
+
 
 # %%
+def vanishes(polynomial):
+    """A relation between amplitude and parameters as a formula."""
+    return Math(f"{sp.latex(polynomial)} = 0")
+
+
+def same(found, printed):
+    """Whether two relations are the same, but for a factor of the parameters alone."""
+    quotient = sp.cancel(found / printed)
+    return quotient != 0 and not quotient.has(a, sigma)
+
+
 a = modulus(u)
 sigma = primary[1].relations[0].detuning
-printed = (mu**2 + (sigma - 3 * alpha * a**2 / (8 * omega_0)) ** 2) * a**2 * 4 * omega_0**2 / K**2
-assert sp.cancel(steady.response(primary[1]) - printed) == 0
+vanishes(primary[1].slow_flow.response_relation())
 
 # %% [markdown]
-# Its steady states are stable where the determinant of the Jacobian is positive (the trace is
-# $-2\mu$). Printed: unstable where
+# This is the printed frequency response
 #
-# $$\left(\sigma - \frac{3\alpha a^2}{8\omega_0}\right)
-#   \left(\sigma - \frac{9\alpha a^2}{8\omega_0}\right) + \mu^2 < 0 .$$
+# $$\left[\mu^2 + \left(\sigma - \frac{3\alpha a^2}{8\omega_0}\right)^2\right] a^2
+#   = \frac{K^2}{4\omega_0^2} ,$$
+#
+# and the parenthesis is zero on the backbone curve, the free oscillator's own frequency.
 
 # %%
 bend = alpha * a**2 / (8 * omega_0)
-printed = (sigma - 3 * bend) * (sigma - 9 * bend) + mu**2
-assert sp.cancel(steady.determinant(primary[1]) - printed) == 0
+printed = (mu**2 + (sigma - 3 * bend) ** 2) * a**2 - K**2 / (4 * omega_0**2)
+assert same(primary[1].slow_flow.response_relation(), printed)
+assert sp.cancel(primary[1].slow_flow.backbone()[sigma] - 3 * bend) == 0
+
+# %% [markdown]
+# Steady states are stable where the determinant of the Jacobian is positive (the trace is
+# $-2\mu$). Printed: unstable where
+#
+# $$\left(\sigma - \frac{3\alpha a^2}{8\omega_0}\right)
+#   \left(\sigma - \frac{9\alpha a^2}{8\omega_0}\right) + \mu^2 < 0 ;$$
+#
+# where it is zero, two steady states meet in a saddle-node:
+
+# %%
+relation, fold = primary[1].slow_flow.bifurcation_equations()["saddle-node"]
+assert same(relation, printed)
+assert same(fold, (sigma - 3 * bend) * (sigma - 9 * bend) + mu**2)
+vanishes(fold)
 
 # %% [markdown]
 # ## 5. Superharmonic resonance of order 3
@@ -138,8 +162,11 @@ display(report.solvability(superharmonic[1], 1), report.modulation(superharmonic
 Lambda = K / (2 * (omega_0**2 - Omega**2))
 third = Lambda.subs(Omega, omega_0 / 3)
 shift = sigma - 3 * alpha * third**2 / omega_0 - 3 * bend
-printed = (mu**2 + shift**2) * a**2 * omega_0**2 / (alpha**2 * third**6)
-assert sp.cancel(steady.response(superharmonic[1]) - printed) == 0
+printed = (mu**2 + shift**2) * a**2 - alpha**2 * third**6 / omega_0**2
+flow = superharmonic[1].slow_flow
+assert same(flow.response_relation(), printed)
+assert sp.cancel(flow.backbone()[sigma] - (sigma - shift)) == 0
+vanishes(flow.response_relation())
 
 # %% [markdown]
 # ## 6. Subharmonic resonance of order 1/3
@@ -160,7 +187,10 @@ display(report.solvability(subharmonic[1], 1), report.modulation(subharmonic[1])
 triple = Lambda.subs(Omega, 3 * omega_0)
 left = 9 * mu**2 + (sigma - 9 * alpha * triple**2 / omega_0 - 9 * bend) ** 2
 right = 81 * alpha**2 * triple**2 * a**2 / (16 * omega_0**2)
-assert sp.cancel(steady.response(subharmonic[1], 3) - left / right) == 0
+flow = subharmonic[1].slow_flow
+assert same(flow.response_relation(), left - right)
+assert sp.cancel(flow.backbone()[sigma] - 9 * alpha * triple**2 / omega_0 - 9 * bend) == 0
+vanishes(flow.response_relation())
 
 # %% [markdown]
 # It is quadratic in $a^2$, so the subharmonic exists where the discriminant is not negative and
@@ -191,21 +221,19 @@ roots
 # %% [markdown]
 # ## 7. Steady states of the exact equation
 #
-# Periodic motions of the unexpanded equation are found by collocation and Newton's method
-# (`derivations/steady.py`), and the amplitude of their fundamental is set beside that of the
-# slow flow, while ε is halved. The differences of order $N$ must fall like $\varepsilon^N$: by
-# halves for order 1, by quarters for order 2.
+# Periodic motions of the unexpanded equation are found by collocation, without anything of the
+# expansion but the first guess, and the amplitude of the coordinate's own harmonic is set beside
+# that of the slow flow, while ε is halved. The differences of order $N$ must fall like
+# $\varepsilon^N$: by halves for order 1, by quarters for order 2.
 
 # %%
 NUMBERS = {"omega_0": 1.0, "alpha": 0.8, "mu": 0.3}
 FAMILIES = {
-    # flows, n in nγ, periods of the force in one of the motion, harmonic, numbers, first guess
-    "primary": (primary, 1, 1, 1, {**NUMBERS, "K": 1.6, "sigma": 0.2}, 0.5 - 0.2j),
-    "superharmonic 3": (superharmonic, 1, 1, 3, {**NUMBERS, "K": 1.1, "sigma": 1.2}, 0.5 - 0.2j),
+    # flows, harmonic of the motion that is the coordinate's own, numbers, near which equilibrium
+    "primary": (primary, 1, {**NUMBERS, "K": 1.6, "sigma": 0.2}, 0.5 - 0.2j),
+    "superharmonic 3": (superharmonic, 3, {**NUMBERS, "K": 1.1, "sigma": 1.2}, 0.5 - 0.2j),
     "subharmonic 1/3": (
         subharmonic,
-        3,
-        3,
         1,
         {"omega_0": 1.0, "alpha": 1.0, "mu": 0.05, "K": 8.0, "sigma": 6.0},
         1.2 * np.exp(1j * np.pi / 3),
@@ -214,61 +242,115 @@ FAMILIES = {
 
 
 rows = []
-for name, (flows, _, periods, number, values, guess) in FAMILIES.items():
+for name, (flows, _, values, guess) in FAMILIES.items():
     for halvings in range(5, 9):
         differences = []
         for case in flows.values():
             slow, _ = scaled_values(case, values, 0.5**halvings)
-            start = steady.equilibrium(case, slow, guess)
-            exact = steady.exact_amplitude(case, slow, start, periods, number)
-            differences.append(f"{abs(2 * abs(start) - exact):.1e}")
+            found = case.slow_flow.equilibria(slow).amplitudes
+            start = min(found, key=lambda b: abs(b[0] - guess))
+            (exact,) = mg.orbit_near(case, slow, start).amplitudes
+            differences.append(f"{abs(2 * abs(start[0]) - exact):.1e}")
         rows.append((name, f"1/{2**halvings}", f"{exact:.5f}", *differences))
 report.Table(("resonance", "ε", "exact $a$ (m)", "order 1", "order 2"), tuple(rows))
 
 # %% [markdown]
-# The response curves at ε = 1 and small numbers, stable steady states solid, unstable ones dashed.
-# Points: the exact equation. Order 2 bends where order 1 does not yet.
+# The whole curves at ε = 1 and small numbers: from one periodic motion the exact ones are followed
+# along Ω, through folds, with their stability from Floquet multipliers.
 
 # %%
 SMALL = {"omega_0": 1.0, "alpha": 0.05}
 SHOWN = {
-    "primary": {**SMALL, "mu": 0.02, "K": 0.1},
-    "superharmonic 3": {**SMALL, "mu": 0.01, "K": 1.2},
-    "subharmonic 1/3": {**SMALL, "mu": 0.01, "K": 8.0},
+    # numbers, range of σ, σ at which the exact motions begin, largest amplitude
+    "primary": ({**SMALL, "mu": 0.02, "K": 0.1}, (-0.1, 0.2), -0.1, 2.8),
+    "superharmonic 3": ({**SMALL, "mu": 0.002, "K": 0.7}, (-0.03, 0.09), -0.03, 1.7),
+    "subharmonic 1/3": ({**SMALL, "mu": 0.01, "K": 8.0}, (0.05, 0.4), 0.4, 3.2),
 }
-WINDOW = np.linspace(-0.1, 0.4, 401), np.linspace(0.02, 3.2, 401)
 
 
-def response_curves(axes, name):
-    """Where sin² + cos² is one, for both orders, and exact motions begun from order 2."""
-    flows, multiple, periods, number, *_ = FAMILIES[name]
-    for order, case in flows.items():
-        level, slope = steady.level(case, SHOWN[name], *np.meshgrid(*WINDOW), multiple)
-        for mask, dash in ((slope < 0, "-"), (slope > 0, "--")):
-            style = {"colors": [plotting.COLOURS[order - 1]], "linestyles": dash}
-            curve = np.ma.array(level, mask=mask)
-            lines = axes.contour(*WINDOW, curve, [1], linewidths=1.4, **style)
-            points = np.concatenate(lines.allsegs[0])[::90]
-            for detuning, size in points if order == 2 else ():
-                values = {**SHOWN[name], "sigma": detuning}
-                start = steady.on_curve(case, values, size, multiple)
-                exact = steady.exact_amplitude(case, values, start, periods, number)
-                axes.plot(detuning, exact, "ko", ms=3.2, mfc="none", mew=0.7)
-        axes.plot([], [], c=plotting.COLOURS[order - 1], label=f"order {order}")
-    axes.set(title=name, xlabel="σ (rad/s)", ylabel="a (m)")
+def response(name, order):
+    """All equilibria of an order over σ."""
+    values, ends, *_ = SHOWN[name]
+    flow = FAMILIES[name][0][order].slow_flow
+    return flow.frequency_response({**values, "sigma": np.linspace(*ends, 401)})
 
 
-figure, panels = plt.subplots(1, 3, figsize=(9.6, 3.4), layout="constrained")
+def exact_family(name):
+    """Exact motions along Ω, begun near the smallest that the slow flow of order 2 has."""
+    case, (values, ends, first, _) = FAMILIES[name][0][2], SHOWN[name]
+    speeds = [scaled_values(case, {**values, "sigma": s}, 1.0)[1]["Omega"] for s in ends]
+    found = case.slow_flow.equilibria({**values, "sigma": first}).amplitudes
+    start = next(b for b in found if abs(b[0]) > 0)
+    orbit = mg.orbit_near(case, {**values, "sigma": first}, start).orbit
+    return mg.orbits.follow(orbit.problem, orbit, Omega, tuple(speeds))
+
+
+def detuning(name, speed):
+    """σ at a frequency of the force."""
+    relation = FAMILIES[name][0][1].relations[0]
+    return float((relation.lhs - relation.rhs).subs({Omega: speed, omega_0: 1.0}))
+
+
+responses = {(name, order): response(name, order) for name in FAMILIES for order in (1, 2)}
+families = {name: exact_family(name) for name in FAMILIES}
+
+# %% [markdown]
+# Stable motions are solid lines and filled points, unstable ones dashed lines and open points.
+# Order 2 follows the exact curves where order 1 does not yet; its backbone runs between its two
+# branches.
+
+# %%
+figure, panels = plt.subplots(1, 3, figsize=(9.6, 3.8), layout="constrained")
 for axes, name in zip(panels, FAMILIES, strict=True):
-    response_curves(axes, name)
-panels[0].legend(frameon=False, fontsize="small")
+    family, number = families[name], FAMILIES[name][1]
+    for order in (1, 2):
+        points = [
+            (detuning(name, speed), [orbit.amplitude(0, number)], orbit.stable)
+            for speed, orbit in zip(family.values, family.orbits, strict=True)
+        ]
+        plotting.frequency_response(
+            responses[name, order],
+            [f"order {order}"],
+            points=points if order == 2 else (),
+            colour=order - 1,
+            xlabel="σ (rad/s)",
+            ylabel="a (m)",
+            axes=axes,
+        )
+    numbers = {x: SHOWN[name][0][x.name] for x in (omega_0, alpha, mu, K)}
+    curve = FAMILIES[name][0][2].slow_flow.backbone()[sigma].subs(numbers)
+    sizes = np.linspace(0.0, SHOWN[name][3], 101)
+    shifts = sp.lambdify(a, curve)(sizes)
+    plotting.backbone({"backbone, order 2": (shifts, sizes)}, axes=axes)
+    axes.set(title=name, xlim=SHOWN[name][1], ylim=(0, SHOWN[name][3]))
+    axes.get_legend().remove()
+figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
 plt.show()
+
+# %% [markdown]
+# The folds, where the response jumps: saddle-nodes of the slow flow beside those of exact motions.
+
+
+# %%
+def folds(name, order):
+    """Detunings at which the slow flow has saddle-nodes of moderate amplitude."""
+    found = responses[name, order].bifurcations
+    return [b.parameter for b in found if b.kind == "saddle-node" and b.modulus[0] < SHOWN[name][3]]
+
+
+rows = []
+for name, family in families.items():
+    exact = sorted(detuning(name, special.value) for special in family.folds)
+    for row in zip(exact, folds(name, 1), folds(name, 2), strict=True):
+        rows.append((name, *(f"{x:.4f}" for x in row)))
+report.Table(("resonance", "exact σ (rad/s)", "order 1", "order 2"), tuple(rows))
 
 # %% [markdown]
 # ## 8. Certificates
 #
 # Motions far from the steady states as well, over times of order $1/\varepsilon$, must part from
-# exact ones like $\varepsilon^N$.
+# exact ones like $\varepsilon^N$. So must the amplitudes of steady states; their stability and the
+# detunings of their folds are better by one order.
 
 
 # %%
@@ -278,11 +360,32 @@ def samples(case):
     return {"omega_0": 1.3, "alpha": 0.7, "mu": 0.11, "K": force, "sigma": 0.37}
 
 
+FOLDS = {
+    "primary": ({"omega_0": 1.0, "alpha": 1.0, "mu": 0.1, "K": 0.8, "sigma": 0.73}, -0.4 - 0.08j),
+    "superharmonic 3": (
+        {"omega_0": 1.0, "alpha": 1.0, "mu": 0.02, "K": 1.0, "sigma": 1.38},
+        0.31 + 0.02j,
+    ),
+    "subharmonic 1/3": (
+        {"omega_0": 1.0, "alpha": 1.0, "mu": 0.05, "K": 8.0, "sigma": 1.99},
+        -0.11 + 0.23j,
+    ),
+}
+
+
+def steady(case):
+    """The equilibrium of section 7 and a saddle-node of each resonance."""
+    name = next(n for n, (flows, *_) in FAMILIES.items() if case in flows.values())
+    *_, values, guess = FAMILIES[name]
+    return [mg.Steady(values, [guess]), mg.Steady(FOLDS[name][0], [FOLDS[name][1]], fold=True)]
+
+
 emission = mg.Emission(
     model="duffing_forced",
     cases=[*primary.values(), *superharmonic.values(), *subharmonic.values()],
     samples=samples,
     amplitudes=lambda case: ([0.5 + 0.4j], 1.0 if case in primary.values() else 0.6),
+    steady=steady,
     derivation="derivations/duffing_forced.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4",
 )
@@ -295,10 +398,14 @@ plt.show()
 # %% [markdown]
 # ## 9. The emitted functions
 #
+# `equilibria` gives all steady states of each point of an array, `frequency_response` branches in
+# their order along the curve, with bifurcations:
+#
 # ```python
 # from mms_functions.duffing_forced import Omega_is_omega_0_order_2 as case
 #
-# rate = case.slow_flow([0.4 - 0.1j], omega_0=1.0, alpha=0.05, mu=0.02, K=0.1, sigma=0.1)
+# found = case.equilibria(omega_0=1.0, alpha=0.05, mu=0.02, K=0.1, sigma=0.07)
+# found.modulus, found.stable
 # ```
 
 # %%

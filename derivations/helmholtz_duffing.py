@@ -13,6 +13,7 @@
 # %%
 import matplotlib.pyplot as plt
 import mpmath as mp
+import numpy as np
 import sympy as sp
 from IPython.display import Markdown, display
 from sympy.physics.mechanics import dynamicsymbols
@@ -83,7 +84,7 @@ report.modulation(cases[2])
 
 # %%
 a, gamma = modulus(u), phase(u)
-shift = cases[2].slow_flow.polar[gamma]
+shift = cases[2].slow_flow.backbone()[gamma]
 printed = (9 * alpha_3 * omega_0**2 - 10 * alpha_2**2) * a**2 / (24 * omega_0**3)
 assert sp.cancel(shift - printed) == 0
 
@@ -159,6 +160,31 @@ for n, values in errors.items():
     assert abs(ratio / 2 ** (n + 2) - 1) < 0.05
 
 # %% [markdown]
+# The backbone curves of the same numbers at larger amplitudes, beside periodic motions found by
+# collocation, whose frequency is that of the integral; $a$ is the amplitude of their fundamental.
+# The oscillator softens first and hardens later, which order 4 knows and order 2 does not.
+
+# %%
+sizes = np.linspace(0.0, 1.4, 121)
+curves = {}
+for n, case in cases.items():
+    shift = sp.lambdify(a, case.slow_flow.backbone()[gamma].subs(numbers))
+    curves[f"order {n}"] = (1 + shift(sizes), sizes)
+problem = mg.orbits.problem(eom, {x: float(number) for x, number in numbers.items()})
+orbits = []
+for size in np.linspace(0.1, 1.3, 13):
+    turning = start(mp.mpf(size))
+    with mp.workdps(30):
+        speed = float(exact_frequency(turning))
+    # A whole family of orbits passes by, and the nearest to the guess is found. The guess is a
+    # motion integrated from this state with a relative tolerance of 1e-6 a step.
+    orbit = mg.orbits.find(problem, [float(turning), 0.0], 2 * np.pi / speed, isolated=False)
+    assert abs(2 * np.pi / orbit.period - speed) < 1e-5
+    orbits.append((2 * np.pi / orbit.period, orbit.amplitude()))
+plotting.backbone(curves, tuple(np.transpose(orbits)), xlabel="ω (rad/s)", ylabel="a (m)")
+plt.show()
+
+# %% [markdown]
 # ## 6. Certificates
 #
 # Motions of the emitted slow flow beside time integration of the exact equation, over times of
@@ -186,6 +212,12 @@ plt.show()
 
 # %% [markdown]
 # ## 7. The emitted functions
+#
+# ```python
+# from mms_functions.helmholtz_duffing import nonresonant_order_4 as case
+#
+# shift = case.backbone(0.5, omega_0=1.0, alpha_2=0.6, alpha_3=0.25)
+# ```
 
 # %%
 Markdown("    " + mg.publish(emission).replace("\n", "\n    "))

@@ -10,7 +10,6 @@
 # %%
 import matplotlib.pyplot as plt
 import numpy as np
-import steady
 import sympy as sp
 from IPython.display import Markdown, display
 from sympy.physics.mechanics import dynamicsymbols
@@ -85,8 +84,9 @@ a = modulus(u)
 sigma = superharmonic[1].relations[0].detuning
 Lambda = K / (2 * (omega_0**2 - Omega**2))
 half = Lambda.subs(Omega, omega_0 / 2)
-printed = a**2 * omega_0**2 * (mu**2 + sigma**2) / (alpha_2**2 * half**4)
-assert sp.cancel(steady.response(superharmonic[1]) - printed) == 0
+printed = a**2 * omega_0**2 * (mu**2 + sigma**2) - alpha_2**2 * half**4
+quotient = sp.cancel(superharmonic[1].slow_flow.response_relation() / printed)
+assert quotient != 0 and not quotient.has(a, sigma)
 
 # %% [markdown]
 # ## 5. Subharmonic resonance of order 1/2
@@ -131,10 +131,16 @@ assert sp.cancel(lower + upper) == 0
 report.modulation(subharmonic[2])
 
 # %% [markdown]
+# Its backbone curve, about which the response bends, shows it:
+
+# %%
+report.expression(r"\sigma", subharmonic[2].slow_flow.backbone()[sigma])
+
+# %% [markdown]
 # ## 6. The exact equation
 #
-# Superharmonic: the amplitude of periodic motions of the unexpanded equation, by collocation
-# (`derivations/steady.py`). The error of order $N$ falls like $\varepsilon^N$.
+# Superharmonic: the amplitude of periodic motions of the unexpanded equation, by collocation. The
+# error of order $N$ falls like $\varepsilon^N$.
 
 # %%
 NUMBERS = {"omega_0": 1.0, "alpha_2": 0.9, "alpha_3": 0.5, "mu": 0.3, "K": 1.1, "sigma": 0.4}
@@ -143,48 +149,102 @@ for halvings in range(4, 9):
     pairs = []
     for case in superharmonic.values():
         slow, _ = scaled_values(case, NUMBERS, 0.5**halvings)
-        start = steady.equilibrium(case, slow, 0.3 + 0.3j)
-        pairs.append((2 * abs(start), steady.exact_amplitude(case, slow, start, number=2)))
+        start = case.slow_flow.equilibria(slow).amplitudes[0]
+        (exact,) = mg.orbit_near(case, slow, start).amplitudes
+        pairs.append((2 * abs(start[0]), exact))
     differences = (f"{abs(found - exact):.1e}" for found, exact in pairs)
     rows.append((f"1/{2**halvings}", f"{pairs[1][1]:.6f}", *differences))
 report.Table(("ε", "exact $a$ (m)", "order 1", "order 2"), tuple(rows))
 
 # %% [markdown]
-# Subharmonic: how fast disturbances of the forced motion grow, from the variational equation
-# about the exact periodic motion. The error of order $N$ falls like $\varepsilon^{N+1}$.
+# Subharmonic: how fast disturbances of the forced motion grow, from the Floquet multipliers of the
+# exact periodic motion. The error of order $N$ falls like $\varepsilon^{N+1}$.
 
 # %%
-NUMBERS = {"omega_0": 1.0, "alpha_2": 2.9, "alpha_3": 0.5, "mu": 0.05, "K": 1.3, "sigma": 0.2}
+GROWING = {"omega_0": 1.0, "alpha_2": 2.9, "alpha_3": 0.5, "mu": 0.05, "K": 1.3, "sigma": 0.2}
 rows = []
 for halvings in range(3, 8):
-    exact, growths = None, []
+    growths = []
     for case in subharmonic.values():
-        slow, numbers = scaled_values(case, NUMBERS, 0.5**halvings)
-        flow = case.slow_flow
-        table = {p.symbol: slow[p.name] for p in case.parameters if p.name in slow}
-        jacobian = flow.jacobian.subs(dict.fromkeys(flow.cartesian, 0)).subs(table)
-        growths.append(np.linalg.eigvals(np.array(jacobian, dtype=float)).real.max())
-        size = numbers["K"] / (numbers["omega_0"] ** 2 - numbers["Omega"] ** 2)
-        exact = steady.exact_growth(
-            case, slow, lambda s, z=size, w=numbers["Omega"]: z * np.cos(w * s)
-        )
+        slow, _ = scaled_values(case, GROWING, 0.5**halvings)
+        growths.append(case.slow_flow.equilibria(slow).growth[0])
+        exact = mg.orbit_near(case, slow, [0.0]).orbit.growth
     errors = (f"{abs(growth - exact):.1e}" for growth in growths)
     rows.append((f"1/{2**halvings}", f"{exact:.7f}", *errors))
 report.Table(("ε", "exact growth (1/s)", "order 1", "order 2"), tuple(rows))
 
 # %% [markdown]
+# The responses at ε = 1 and small numbers, stable motions with solid lines and filled points,
+# unstable ones with dashed lines and open points. Order 1 of the superharmonic is a linear
+# resonance; order 2 leans to the side of the softer spring and folds. The subharmonic branches off
+# where the motion that has the force's own period, $a = 0$, loses its stability and regains it.
+
+# %%
+SMALL = {"omega_0": 1.0, "alpha_2": 0.2, "alpha_3": 0.01, "mu": 0.003}
+SHOWN = {
+    # flows, force, range of σ
+    "superharmonic 2": (superharmonic, 0.2, (-0.03, 0.02)),
+    "subharmonic 1/2": (subharmonic, 0.3, (-0.045, 0.03)),
+}
+
+
+def used(case, numbers):
+    """Those numbers that are parameters of a case."""
+    names = {p.name for p in case.parameters}
+    return {name: number for name, number in numbers.items() if name in names}
+
+
+figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.2), layout="constrained")
+for axes, (name, (flows, force, ends)) in zip(panels, SHOWN.items(), strict=True):
+    for order, case in flows.items():
+        values, points = used(case, {**SMALL, "K": force}), []
+        response = case.slow_flow.frequency_response({**values, "sigma": np.linspace(*ends, 401)})
+        if order == 2:
+            points = list(mg.orbits_along(case, values, response, 24))
+        if order == 2 and name == "subharmonic 1/2":
+            for s in np.linspace(*ends, 9)[1:-1]:
+                rest = mg.orbit_near(case, {**values, "sigma": s}, [0.0])
+                points.append((s, rest.amplitudes, rest.stable))
+        plotting.frequency_response(
+            response,
+            [f"order {order}"],
+            points=points,
+            colour=order - 1,
+            xlabel="σ (rad/s)",
+            ylabel="a (m)",
+            axes=axes,
+        )
+    axes.set(title=name, xlim=ends, ylim=(-0.03, 1.5))
+    axes.locator_params(axis="x", nbins=6)
+    axes.get_legend().remove()
+handles = {h.get_label(): h for axes in panels for h in axes.get_legend_handles_labels()[0]}
+figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=4)
+plt.show()
+
+# %% [markdown]
 # ## 7. Certificates
 #
 # Motions over times of order $1/\varepsilon$. At order 1 of the subharmonic the slow flow is
-# linear, the equation is not, and it is certified by motions all the same.
+# linear, the equation is not, and it is certified by motions all the same. Beside them the steady
+# states of section 6: amplitudes of the superharmonic, and the stability of both.
 
 # %%
 GENERIC = {"omega_0": 1.3, "alpha_2": 0.6, "alpha_3": 0.7, "mu": 0.11, "K": 1.1, "sigma": 0.37}
+
+
+def steady(case):
+    """The superharmonic response, and the forced motion that is no subharmonic."""
+    if case in superharmonic.values():
+        return [mg.Steady(used(case, NUMBERS), [0.39 + 0.29j])]
+    return [mg.Steady(used(case, GROWING), [0.0])]
+
+
 emission = mg.Emission(
     model="helmholtz_duffing_forced",
     cases=[*superharmonic.values(), *subharmonic.values()],
-    samples=lambda case: {p.name: GENERIC[p.name] for p in case.parameters if p.name in GENERIC},
+    samples=lambda case: used(case, GENERIC),
     amplitudes=lambda case: ([0.4 + 0.3j], 1.0),
+    steady=steady,
     derivation="derivations/helmholtz_duffing_forced.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4",
 )

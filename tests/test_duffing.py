@@ -5,13 +5,12 @@ from __future__ import annotations
 import mpmath as mp
 import numpy as np
 import pytest
-import steady
 import sympy as sp
 from entries import certificates, demand_notebook, emitted
 from systems import Omega, beta, d, f, mu, omega, oscillator, t, x
 
+import mmsgen as mg
 from mmsgen.certify import scaled_values
-from mmsgen.symbols import modulus
 
 
 @pytest.mark.pinned
@@ -62,9 +61,16 @@ def test_certificates_of_the_other_oscillators() -> None:
     found |= (quadratic := certificates("helmholtz_duffing_forced"))
     assert len(forced) == 6 and len(quadratic) == 4
     for data in found.values():
-        (fit,) = data["fits"]
-        assert fit["theory"] == data["order"]
-        assert abs(float(fit["fitted"]) - fit["theory"]) < 0.1
+        first, *steady = data["fits"]
+        for fit in data["fits"]:
+            better = fit["quantity"] in ("stability", "saddle-node")
+            assert fit["theory"] == data["order"] + better
+            assert abs(float(fit["fitted"]) - fit["theory"]) < 0.1
+        assert first["quantity"] == "motions at times of order 1/ε"
+        assert bool(steady) == (data in [*forced.values(), *quadratic.values()])
+    for data in forced.values():
+        kinds = [fit["quantity"] for fit in data["fits"][1:]]
+        assert kinds == ["equilibrium amplitudes", "stability", "saddle-node"]
 
 
 def test_quadratic_and_cubic_stiffness_in_print() -> None:
@@ -114,17 +120,6 @@ def test_the_printed_peaks_of_the_driven_oscillator() -> None:
     assert abs(rate[0]) < 1e-14  # rounding
 
 
-def test_collocation_finds_the_exact_motion_of_a_linear_oscillator() -> None:
-    """u'' + 2μu' + ω_0²u = K cos Ωt, whose amplitude is K/√((ω_0² − Ω²)² + 4μ²Ω²)."""
-    eom = oscillator(2 * mu * d(x) - f * sp.cos(Omega * t))
-    values = {"omega": 1.3, "mu": 0.11, "f": 0.6, "Omega": 1.1}
-    motion = steady.periodic_motion(eom, values, 2 * np.pi / 1.1, np.cos)
-    size = 0.6 / np.hypot(1.3**2 - 1.1**2, 2 * 0.11 * 1.1)
-    # rounding, times the condition of second derivatives over 65 points
-    assert steady.harmonic(motion, 1) == pytest.approx(size, rel=1e-11)
-    assert steady.harmonic(motion, 2) < 1e-11
-
-
 def test_printed_relations_of_the_quadratic_term() -> None:
     """Nayfeh and Mook, chapter 4: a = α_2Λ²/(ω_0√(μ² + σ²)), and |σ| < 2√(α_2²Λ²/ω_0² − μ²)."""
     values = {"omega_0": 1.3, "alpha_2": 0.9, "mu": 0.03, "K": 1.1}
@@ -150,36 +145,10 @@ def test_growth_of_the_subharmonic_about_the_exact_motion(order: int) -> None:
     errors = []
     for epsilon in (1 / 128, 1 / 256):
         slow, exact = scaled_values(case, values, epsilon)
-        size = 1.3 / (1 - exact["Omega"] ** 2)
-        speed = exact["Omega"]
-        grown = steady.exact_growth(case, slow, lambda s, z=size, w=speed: z * np.cos(w * s))
-        table = {p.symbol: slow[p.name] for p in case.parameters if p.name in slow}
-        flow = case.slow_flow
-        jacobian = flow.jacobian.subs(dict.fromkeys(flow.cartesian, 0)).subs(table)
-        predicted = np.linalg.eigvals(np.array(jacobian, dtype=float)).real.max()
-        errors.append(abs(predicted - grown))
+        near = mg.orbit_near(case, slow, [0.0])
+        # it has the force's period, and no harmonic at half of the force's frequency
+        assert near.orbit.period == pytest.approx(2 * np.pi / exact["Omega"], rel=1e-12)
+        assert near.amplitudes == [0.0]
+        predicted = case.slow_flow.equilibria(slow).growth[0]
+        errors.append(abs(predicted - near.orbit.growth))
     assert errors[0] / errors[1] == pytest.approx(2 ** (order + 1), rel=0.1)
-
-
-def test_response_and_determinant_at_numbers_are_the_formulas() -> None:
-    left = beta * x**3 + 2 * mu * d(x) - f * sp.cos(Omega * t)
-    case = oscillator(left).scale({beta: 1, mu: 1}).expand(1, {Omega: 3 * omega})
-    values = {"omega": 1.3, "beta": 0.9, "mu": 0.07, "f": 5.1}
-    response, determinant = steady.level(case, values, 0.31, 0.77, 3)
-    table = {"omega": omega, "beta": beta, "mu": mu, "f": f}
-    there = {table[name]: number for name, number in values.items()}
-    there |= {case.relations[0].detuning: 0.31, modulus(x): 0.77}
-    # rounding of a few dozen operations
-    assert response == pytest.approx(float(steady.response(case, 3).subs(there)), rel=1e-12)
-    assert determinant == pytest.approx(float(steady.determinant(case, 3).subs(there)), rel=1e-12)
-
-
-def test_a_steady_state_on_its_curve_is_at_rest() -> None:
-    left = beta * x**3 + 2 * mu * d(x) - f * sp.cos(Omega * t)
-    case = oscillator(left).scale({beta: 1, mu: 1, f: 1}).expand(1, {Omega: omega})
-    size, values = 0.6, {"omega": 1.3, "beta": 0.9, "mu": 0.07, "f": 0.4}
-    reach = np.sqrt((0.4 / (2 * 1.3 * size)) ** 2 - 0.07**2)
-    values["sigma"] = 3 * 0.9 * size**2 / (8 * 1.3) + reach
-    found = steady.equilibrium(case, values, 1.01 * steady.on_curve(case, values, size))
-    assert abs(found - steady.on_curve(case, values, size)) < 1e-12  # rounding
-    assert 2 * abs(found) == pytest.approx(size, rel=1e-12)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._dual import Dual, zone_slopes
 from ._runtime import companion_roots, evaluate_pair, stacked
 
 if TYPE_CHECKING:
@@ -41,6 +42,9 @@ def zone(*criteria: Any, reach: Any = np.inf) -> tuple[Any, Any]:
         Infinite where the interval has no end, NaN where there is none.
     """
     plain = [_where_first_vanishes(*c) if isinstance(c[0], tuple) else c for c in criteria]
+    if any(isinstance(c, Dual) for polynomial in plain for c in polynomial):
+        first, second = zone_slopes(zone(*_values(criteria), reach=_values(reach)), plain)
+        return first, second
     numbers = [reach, *(c for polynomial in plain for c in polynomial)]
     table = stacked([np.asarray(c, dtype=np.float64) for c in numbers])
     shape, flat = table.shape[:-1], table.reshape(-1, table.shape[-1])
@@ -58,9 +62,16 @@ def zone(*criteria: Any, reach: Any = np.inf) -> tuple[Any, Any]:
     return ends[:, 0].reshape(shape), ends[:, 1].reshape(shape)
 
 
+def _values(numbers: Any) -> Any:
+    """Numbers without their slopes."""
+    if isinstance(numbers, tuple):
+        return tuple(map(_values, numbers))
+    return numbers.value if isinstance(numbers, Dual) else numbers
+
+
 def _where_first_vanishes(first: Sequence[Any], second: Sequence[Any]) -> list[Any]:
     """The second polynomial, zero where the first one is not."""
-    other = np.any(np.broadcast_arrays(*(np.asarray(c) != 0.0 for c in first)), axis=0)
+    other = np.any(np.broadcast_arrays(*(np.asarray(_values(c)) != 0.0 for c in first)), axis=0)
     return [np.where(other, 0.0, c) for c in second]
 
 

@@ -111,8 +111,17 @@ def checked(
     return arrays
 
 
-def checked_amplitudes(amplitudes: ArrayLike, count: int) -> list[NDArray[np.complex128]]:
+def checked_amplitudes(
+    amplitudes: ArrayLike, count: int, *, missing: bool = False
+) -> list[NDArray[np.complex128]]:
     """Amplitudes, shape (..., count), as one complex128 array for each coordinate.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+    count : int
+    missing : bool
+        Whether NaN stands for an amplitude that is missing.
 
     Raises
     ------
@@ -128,7 +137,7 @@ def checked_amplitudes(amplitudes: ArrayLike, count: int) -> list[NDArray[np.com
             f"of COORDINATES, got {array.shape}"
         )
     array = array.astype(np.complex128, copy=False)
-    if not np.isfinite(array).all():
+    if not (np.isfinite(array) | (np.isnan(array) & missing)).all():
         raise ValueError("amplitudes must be finite")
     return [array[..., j] for j in range(count)]
 

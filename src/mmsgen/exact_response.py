@@ -29,6 +29,9 @@ __all__ = ["ExactPoint", "OrbitNear", "orbit_near", "orbits_along"]
 ELSEWHERE = 0.5
 """Relative change of the amplitudes from which a periodic orbit is another one than was meant."""
 
+WHOLE = 1e-6
+"""How far from a whole number the turns of an amplitude in one period may be by rounding."""
+
 
 @dataclass(frozen=True, eq=False)
 class OrbitNear:
@@ -40,7 +43,7 @@ class OrbitNear:
         With its multipliers and errors.
     amplitudes : numpy.ndarray, shape (n,)
         Of each coordinate, its harmonic at the frequency of its own amplitude: what a_j = 2|B_j|
-        approximates.
+        approximates; zero where the orbit has no such harmonic.
     stable : bool
         Whether the verdict on the orbit is "stable".
     """
@@ -108,8 +111,10 @@ def orbit_near(
         rates = np.asarray(drift, dtype=float)
     state = SteadyState(b, rates @ symmetries, slow, exact, reconstruction(case, slow))
     orbit = exact_orbit(case, state)
-    numbers = np.rint(np.abs(state.rates) * orbit.period / (2 * np.pi)).astype(int)
-    own = np.array([orbit.amplitude(j, int(k)) for j, k in enumerate(numbers)])
+    turns = np.abs(state.rates) * orbit.period / (2 * np.pi)
+    # A coordinate at rest may have a frequency that the motion of the others does not have.
+    numbers = [round(x) if abs(x - round(x)) < WHOLE else None for x in turns]
+    own = np.array([0.0 if k is None else orbit.amplitude(j, k) for j, k in enumerate(numbers)])
     return OrbitNear(orbit, own, orbit.verdict == "stable")
 
 

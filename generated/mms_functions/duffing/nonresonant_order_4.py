@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/duffing.py: change that, not this file.
-# Made from sha256 2b6753938c616a2a53f6c017e52d31734d61e2ee43e8cec194affb15d4a1b381
-# Operations for each point: slow_flow 43
+# Made from sha256 67c143676a48902cc8a5e67ca39c416bfab4d5a0fedbea7f17030c48beb73dd1
+# Operations for each point: slow_flow 43, coefficients 24, backbone 31, motion 25
 """duffing: no resonance, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 2
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._motion import Motion, response_at
+from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
+from .._one_amplitude import equilibria_of_one
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -61,6 +71,27 @@ VARIABLES: tuple[str, ...] = ()
 # --- formulas -------------------------------------------------------------------------------------
 
 
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    1,
+    (
+        (0, (2, 1, 0)), (0, (3, 2, 0)), (0, (4, 3, 0)), (0, (5, 4, 0)),
+    ),
+    ((1,),),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), ()), (1, 0, (3, 0, 0), ()), (2, 0, (4, 1, 0), ()), (2, 0, (5, 0, 0), ()),
+        (3, 0, (5, 2, 0), ()), (3, 0, (6, 1, 0), ()), (3, 0, (7, 0, 0), ()), (4, 0, (6, 3, 0), ()),
+        (4, 0, (7, 2, 0), ()), (4, 0, (8, 1, 0), ()), (4, 0, (9, 0, 0), ()),
+    ),
+    0,
+)
+
+
 def _slow_flow(out, A_u, omega_0, alpha):
     # Intermediates
     x0 = np.conj(A_u)
@@ -84,6 +115,72 @@ def _slow_flow(out, A_u, omega_0, alpha):
         3 / 2 * 1j * alpha * x0 * x3 / omega_0 + 123 / 128 * 1j * x13 * x14 * x4 / x15
         - 15 / 16 * 1j * x1 * x12 * x6 / x9 - 921 / 1024 * 1j * x2 * x5 * x7 / x11
     )
+
+
+def _coefficients(out, omega_0, alpha):
+    # Intermediates
+    x0 = alpha * alpha
+    x1 = omega_0 * omega_0
+    x2 = omega_0 * x1
+    x3 = alpha * x0
+    x4 = x1 * x1
+    x5 = omega_0 * x4
+    x6 = x0 * x0
+    x7 = x2 * x4
+    # Outputs
+    out[..., 0] = 3 / 2 * 1j * alpha / omega_0
+    out[..., 1] = -15 / 16 * 1j * x0 / x2
+    out[..., 2] = 123 / 128 * 1j * x3 / x5
+    out[..., 3] = -921 / 1024 * 1j * x6 / x7
+
+
+def _backbone(a_u, omega_0, alpha):
+    # Intermediates
+    x0 = a_u * a_u
+    x1 = x0 * x0
+    x2 = x1 * x1
+    x3 = alpha * alpha
+    x4 = x3 * x3
+    x5 = omega_0 * omega_0
+    x6 = omega_0 * x5
+    x7 = x5 * x5
+    x8 = x6 * x7
+    x9 = x0 * x1
+    x10 = alpha * x3
+    x11 = omega_0 * x7
+    # Outputs
+    rate = (
+        3 / 8 * alpha * x0 / omega_0 + 123 / 8192 * x10 * x9 / x11 - 15 / 256 * x1 * x3 / x6
+        - 921 / 262144 * x2 * x4 / x8
+    )
+    return rate
+
+
+def _motion(out, omega_0, alpha):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = alpha * alpha
+    x2 = x0 * x0
+    x3 = x1 / x2
+    x4 = alpha * x1
+    x5 = x0 * x2
+    x6 = x4 / x5
+    x7 = x1 * x1
+    x8 = x2 * x2
+    x9 = x7 / x8
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 1 / 4 * alpha / x0
+    out[..., 2] = -21 / 32 * x3
+    out[..., 3] = 1 / 32 * x3
+    out[..., 4] = 417 / 256 * x6
+    out[..., 5] = -43 / 256 * x6
+    out[..., 6] = 1 / 256 * x6
+    out[..., 7] = -7797 / 2048 * x9
+    out[..., 8] = 335 / 512 * x9
+    out[..., 9] = -65 / 2048 * x9
+    out[..., 10] = 1 / 2048 * x9
+    out[..., 11] = omega_0
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -117,3 +214,226 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def equilibria(*, omega_0: ArrayLike, alpha: ArrayLike, gradient: bool = False) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN. B_j exp(i k_j θ) moves along a circle of
+    further ones for k = (1,); of each circle one point is given, and the rate at which it drifts,
+    B_j exp(i k_j ρ t).
+
+    Parameters
+    ----------
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 1), drift (..., count, 1) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
+    return equilibria_at(
+        equilibria_of_one,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("omega_0", "alpha") if gradient else (),
+    )
+
+
+def frequency_response(*, omega_0: ArrayLike, alpha: ArrayLike, over: str = "omega_0") -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
+    return response_along(_FLOW, _coefficients, arguments, ("omega_0", "alpha"), over)
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike, gradient: bool = False,
+) -> Any:
+    """The shift of the frequency on the backbone curve.
+
+    Where the conservative part of the slow flow that no phase enters is at rest; free motions
+    without damping lie on it, and the responses of weakly damped ones close by.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        In rad/s, float64; with gradient this and name -> derivative.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
+    return backbone_at(
+        _backbone,
+        amplitude,
+        arguments,
+        ("omega_0", "alpha") if gradient else (),
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
+    little as they can; an equilibrium then is at rest.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
+    a zero, which is left out.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike,
+    order: int | None = None, drift: ArrayLike | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. With a drift, constant ones turn along the
+    symmetries of the slow flow. NaN where a harmonic resonates itself. Derivatives are taken with
+    these fixed. Over times of order 1/ε the error is O(ε^4). A UserWarning says how much is left
+    out where that is more than a tenth of the motion, estimated from the harmonics of each order
+    beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 4; all by default.
+    drift : array_like, optional
+        Of an equilibrium that drifts, shape (..., 1), rad/s: as `equilibria` gives it.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order u; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        drift=drift,
+        slow=(_FLOW, _coefficients, 2),
+        names=("omega_0", "alpha") if gradient else (),
+    )

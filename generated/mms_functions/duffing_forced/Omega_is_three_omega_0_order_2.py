@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/duffing_forced.py: change that, not this file.
-# Made from sha256 817f426ccbd869e2f73e977ef2d0b0fdaad9b6560829d130248f4291789e238e
-# Operations for each point: slow_flow 89
+# Made from sha256 a30f4bd059640998ee13df3177a3f1dfdbd355376285b7366d7d4f06f97265de
+# Operations for each point: slow_flow 89, coefficients 67, backbone 45, motion 141
 """duffing_forced: Omega = 3*omega_0 + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._motion import Motion, response_at
+from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
+from .._one_amplitude import equilibria_of_one
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -62,6 +72,35 @@ VARIABLES: tuple[str, ...] = ()
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    1,
+    (
+        (0, (0, 2, 0)), (0, (1, 0, 0)), (0, (1, 3, 0)), (0, (2, 1, 0)), (0, (3, 2, 0)),
+        (0, (4, 0, 0)),
+    ),
+    (),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (0, 0, 0), (1,)), (0, 0, (1, 0, 0), (0,)), (1, 0, (0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0), (3,)), (1, 0, (1, 0, 0), (-2,)), (1, 0, (1, 0, 0), (2,)),
+        (1, 0, (1, 1, 0), (1,)), (1, 0, (2, 0, 0), (1,)), (1, 0, (3, 0, 0), (0,)),
+        (2, 0, (0, 0, 0), (1,)), (2, 0, (0, 0, 0), (3,)), (2, 0, (0, 0, 0), (5,)),
+        (2, 0, (1, 0, 0), (-4,)), (2, 0, (1, 0, 0), (-2,)), (2, 0, (1, 0, 0), (2,)),
+        (2, 0, (1, 0, 0), (4,)), (2, 0, (1, 1, 0), (1,)), (2, 0, (1, 1, 0), (3,)),
+        (2, 0, (2, 0, 0), (-3,)), (2, 0, (2, 0, 0), (1,)), (2, 0, (2, 0, 0), (3,)),
+        (2, 0, (2, 1, 0), (-2,)), (2, 0, (2, 1, 0), (2,)), (2, 0, (2, 2, 0), (1,)),
+        (2, 0, (3, 0, 0), (-2,)), (2, 0, (3, 0, 0), (0,)), (2, 0, (3, 0, 0), (2,)),
+        (2, 0, (4, 0, 0), (1,)), (2, 0, (4, 1, 0), (0,)), (2, 0, (5, 0, 0), (0,)),
+    ),
+    1,
+)
 
 
 def _slow_flow(out, A_u, sigma, omega_0, alpha, mu, K):
@@ -99,6 +138,147 @@ def _slow_flow(out, A_u, sigma, omega_0, alpha, mu, K):
         + alpha * x19 * x7 * (3 / 2 * x8 + 1j * (21 / 2048 * x10 + 3 / 2 * x12)) / x23
         - sigma * x0 / 3 - x0 * x1 * x21 * x6 - 15 / 16 * x11 * x2 * x22 / x13 - x2 * x20 * x6
     )
+
+
+def _coefficients(out, sigma, omega_0, alpha, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = x0 * x0
+    x2 = omega_0 * x1
+    x3 = mu * x2
+    x4 = K * K
+    x5 = alpha * x4
+    x6 = x0 * x1
+    x7 = x1 * x1
+    x8 = omega_0 * x7
+    x9 = omega_0 * x0
+    x10 = x7 * x9
+    x11 = alpha * alpha
+    x12 = x4 * x4
+    x13 = mu * mu
+    x14 = x0 * x7
+    x15 = 1j * x11
+    x16 = -3 / 32 * K * x15 / x2
+    x17 = x1 * x9
+    # Outputs
+    out[..., 0] = (
+        K * alpha * (3 / 128 * x3 + 1j * (15 / 128 * sigma * x2 - 27 / 32768 * x5 - 3 / 32 * x6))
+        / x8
+    )
+    out[..., 1] = (
+        (1j * (3 / 256 * alpha * x4 * x6 - 9 / 512 * sigma * x2 * x5 - 63 / 2097152 * x11 * x12
+        - 1 / 2 * x13 * x14) - mu * x10) / x10 - 1j * sigma / 3
+    )
+    out[..., 2] = x16
+    out[..., 3] = alpha * (3 / 2 * x3 + 1j * (21 / 2048 * x5 + 3 / 2 * x6)) / x17
+    out[..., 4] = -15 / 16 * x15 / x9
+    out[..., 5] = x16
+
+
+def _backbone(a_u, omega_0, alpha, mu, K):
+    # Intermediates
+    x0 = K * K
+    x1 = alpha * x0
+    x2 = omega_0 * omega_0
+    x3 = x2 * x2
+    x4 = x2 * x3
+    x5 = 1 / (27 * x1 + 512 * x4)
+    x6 = alpha * alpha
+    x7 = omega_0 * x3
+    x8 = x0 * x0
+    x9 = mu * mu
+    x10 = x3 * x3
+    x11 = x10 * x2
+    x12 = a_u * a_u
+    x13 = x12 * x12
+    x14 = omega_0 * x2
+    # Outputs
+    rate = (
+        9 / 16 * alpha * x12 * x5 * (7 * x1 + 1024 * x4) / omega_0 - 90 * x13 * x14 * x5 * x6
+        - 3 / 4096 * x5 * (1048576 * x11 * x9 + 63 * x6 * x8 - 24576 * x1 * x4) / x7
+    )
+    return rate
+
+
+def _motion(out, sigma, omega_0, alpha, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = 1 / x0
+    x2 = x0 * x0
+    x3 = x2 * x2
+    x4 = 1 / x3
+    x5 = K * K
+    x6 = alpha * x5
+    x7 = omega_0 * x2
+    x8 = 1j * mu * x7
+    x9 = 2 * K
+    x10 = alpha * x4
+    x11 = K * x5
+    x12 = x0 * x2
+    x13 = 1 / x12
+    x14 = x13 * x6
+    x15 = 1 / x2
+    x16 = K * alpha
+    x17 = x15 * x16
+    x18 = x12 * x3
+    x19 = 1 / x18
+    x20 = alpha * alpha
+    x21 = x5 * x5
+    x22 = x20 * x21
+    x23 = sigma * x7
+    x24 = 9 * x6
+    x25 = x0 * x3
+    x26 = sigma * sigma
+    x27 = mu * mu
+    x28 = K * x21
+    x29 = x2 * x3
+    x30 = 1 / x29
+    x31 = x22 * x30
+    x32 = 2 * x30 * x6
+    x33 = 1 / x25
+    x34 = x11 * x20 * x33
+    x35 = x20 * x4 * x5
+    x36 = K * x13 * x20
+    x37 = x15 * x20
+    # Outputs
+    out[..., 0] = -1 / 8 * K * x1
+    out[..., 1] = 2
+    out[..., 2] = x4 * x9 * (3 / 64 * sigma * x7 - 3 / 32768 * x6 - 3 / 64 * x8)
+    out[..., 3] = -x10 * x11 / 163840
+    out[..., 4] = 1 / 1024 * x14
+    out[..., 5] = 1 / 2048 * x14
+    out[..., 6] = -3 / 32 * x17
+    out[..., 7] = -1 / 64 * x17
+    out[..., 8] = 1 / 4 * alpha * x1
+    out[..., 9] = (
+        x19 * x9 * (9 / 32768 * x23 * x6 + 9 / 256 * x25 * x27
+        + 1 / 65536 * x8 * (3584 * sigma * x7 - x24) - 273 * x22 / 671088640 - 7 / 256 * x25 * x26)
+    )
+    out[..., 10] = (
+        2 * alpha * x11 * x19 * (117 * sigma * x7 / 13107200 - 3 * x6 / 209715200
+        - 99 * x8 / 13107200)
+    )
+    out[..., 11] = -3 * x19 * x20 * x28 / 9395240960
+    out[..., 12] = 3 * x31 / 26214400
+    out[..., 13] = x32 * (91 * alpha * x5 / 20971520 - 7 * x23 / 6144 - 3 / 4096 * x8)
+    out[..., 14] = x32 * (x6 / 41943040 + 3 / 8192 * x8 - 25 * x23 / 49152)
+    out[..., 15] = x31 / 20971520
+    out[..., 16] = 9 / 131072 * x16 * x33 * (2048 * sigma * x7 - x24)
+    out[..., 17] = -69 * x34 / 3276800
+    out[..., 18] = 7 * x34 / 1310720
+    out[..., 19] = alpha * x33 * x9 * (7 * x23 / 768 + 9 / 262144 * x6 - x8 / 384)
+    out[..., 20] = -21 * x34 / 6553600
+    out[..., 21] = 19 / 16384 * x35
+    out[..., 22] = 25 / 32768 * x35
+    out[..., 23] = -3 / 128 * x36
+    out[..., 24] = -3 / 512 * x35
+    out[..., 25] = 2 * x10 * (3 / 4096 * x6 - 3 / 16 * x8)
+    out[..., 26] = 21 * x35 / 163840
+    out[..., 27] = -3 / 1024 * x36
+    out[..., 28] = -21 / 32 * x37
+    out[..., 29] = 1 / 32 * x37
+    out[..., 30] = omega_0 + sigma / 3
+    out[..., 31] = 3 * omega_0 + sigma
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -139,3 +319,267 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def equilibria(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike, mu: ArrayLike, K: ArrayLike,
+    gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 3*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 1), drift (..., count, 0) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return equilibria_at(
+        equilibria_of_one,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "omega_0", "alpha", "mu", "K") if gradient else (),
+    )
+
+
+def frequency_response(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike, mu: ArrayLike, K: ArrayLike,
+    over: str = "sigma",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 3*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "omega_0", "alpha", "mu", "K"),
+        over,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike, mu: ArrayLike, K: ArrayLike,
+    gradient: bool = False,
+) -> Any:
+    """The detuning sigma on the backbone curve.
+
+    Where the conservative part of the slow flow that no phase enters is at rest; free motions
+    without damping lie on it, and the responses of weakly damped ones close by.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        In rad/s, float64; with gradient this and name -> derivative.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return backbone_at(
+        _backbone,
+        amplitude,
+        arguments,
+        ("omega_0", "alpha", "mu", "K") if gradient else (),
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike,
+    mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 3*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike,
+    mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t).
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 3*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike,
+    alpha: ArrayLike, mu: ArrayLike, K: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 3*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order u; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        slow=(_FLOW, _coefficients, 5),
+        names=("sigma", "omega_0", "alpha", "mu", "K") if gradient else (),
+    )

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/helmholtz_duffing.py: change that, not this file.
-# Made from sha256 fdf7679f0b87b2c8e62129d6130606211cd47218aaefbf9ed0836a24daaf93f2
-# Operations for each point: slow_flow 34
+# Made from sha256 7d417a5d4a16a9a93708b06cc72e91d8d1ec8a218af3697a25622e3eae87f9f3
+# Operations for each point: slow_flow 34, coefficients 25, backbone 30, motion 52
 """helmholtz_duffing: no resonance, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 2
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._motion import Motion, response_at
+from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
+from .._one_amplitude import equilibria_of_one
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -62,6 +72,27 @@ VARIABLES: tuple[str, ...] = ()
 # --- formulas -------------------------------------------------------------------------------------
 
 
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    1,
+    (
+        (0, (2, 1, 0)), (0, (3, 2, 0)),
+    ),
+    ((1,),),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), ()), (1, 0, (1, 1, 0), ()), (1, 0, (2, 0, 0), ()), (2, 0, (3, 0, 0), ()),
+        (3, 0, (2, 2, 0), ()), (3, 0, (3, 1, 0), ()), (3, 0, (4, 0, 0), ()), (4, 0, (4, 1, 0), ()),
+        (4, 0, (5, 0, 0), ()),
+    ),
+    0,
+)
+
+
 def _slow_flow(out, A_u, omega_0, alpha_2, alpha_3):
     # Intermediates
     x0 = np.conj(A_u)
@@ -80,6 +111,68 @@ def _slow_flow(out, A_u, omega_0, alpha_2, alpha_3):
         1j * x0 * x3 * (3 / 2 * alpha_3 * x2 - 5 * x1 / 3) / x4
         + 1j * x5 * x6 * (173 * alpha_3 * x1 * x2 / 12 - 15 / 16 * x10 * x7 - 485 * x9 / 108) / x8
     )
+
+
+def _coefficients(out, omega_0, alpha_2, alpha_3):
+    # Intermediates
+    x0 = alpha_2 * alpha_2
+    x1 = omega_0 * omega_0
+    x2 = omega_0 * x1
+    x3 = x1 * x1
+    x4 = x2 * x3
+    x5 = x0 * x0
+    x6 = alpha_3 * alpha_3
+    # Outputs
+    out[..., 0] = 1j * (3 / 2 * alpha_3 * x1 - 5 * x0 / 3) / x2
+    out[..., 1] = 1j * (173 * alpha_3 * x0 * x1 / 12 - 15 / 16 * x3 * x6 - 485 * x5 / 108) / x4
+
+
+def _backbone(a_u, omega_0, alpha_2, alpha_3):
+    # Intermediates
+    x0 = alpha_2 * alpha_2
+    x1 = omega_0 * omega_0
+    x2 = a_u * a_u
+    x3 = omega_0 * x1
+    x4 = x2 * x2
+    x5 = x1 * x1
+    x6 = x3 * x5
+    x7 = x0 * x0
+    x8 = alpha_3 * alpha_3
+    # Outputs
+    rate = (
+        1 / 4 * x2 * (3 / 2 * alpha_3 * x1 - 5 * x0 / 3) / x3
+        + 1 / 16 * x4 * (173 * alpha_3 * x0 * x1 / 12 - 15 / 16 * x5 * x8 - 485 * x7 / 108) / x6
+    )
+    return rate
+
+
+def _motion(out, omega_0, alpha_2, alpha_3):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = alpha_2 / x0
+    x2 = alpha_3 * x0
+    x3 = x0 * x0
+    x4 = alpha_2 * alpha_2
+    x5 = x0 * x3
+    x6 = alpha_2 / x5
+    x7 = x6 / 54
+    x8 = alpha_3 * alpha_3
+    x9 = x3 * x8
+    x10 = x2 * x4
+    x11 = x3 * x3
+    x12 = 2 / x11
+    x13 = x4 * x4
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = -2 * x1
+    out[..., 2] = 2 * x1 / 3
+    out[..., 3] = 2 * (1 / 8 * x2 + x4 / 12) / x3
+    out[..., 4] = 2 * x6 * (45 * alpha_3 * x0 - 19 * x4) / 9
+    out[..., 5] = -x7 * (279 * alpha_3 * x0 - 118 * x4)
+    out[..., 6] = x7 * (9 * x2 + 2 * x4)
+    out[..., 7] = x12 * (79 * x13 / 144 - 43 * x10 / 48 - 21 / 64 * x9)
+    out[..., 8] = x12 * (5 * x10 / 144 + 5 * x13 / 1296 + 1 / 64 * x9)
+    out[..., 9] = omega_0
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -115,3 +208,250 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def equilibria(
+    *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN. B_j exp(i k_j θ) moves along a circle of
+    further ones for k = (1,); of each circle one point is given, and the rate at which it drifts,
+    B_j exp(i k_j ρ t).
+
+    Parameters
+    ----------
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), real.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 1), drift (..., count, 1) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
+    return equilibria_at(
+        equilibria_of_one,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("omega_0", "alpha_2", "alpha_3") if gradient else (),
+    )
+
+
+def frequency_response(
+    *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, over: str = "omega_0",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), real.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("omega_0", "alpha_2", "alpha_3"),
+        over,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
+    gradient: bool = False,
+) -> Any:
+    """The shift of the frequency on the backbone curve.
+
+    Where the conservative part of the slow flow that no phase enters is at rest; free motions
+    without damping lie on it, and the responses of weakly damped ones close by.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), real.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        In rad/s, float64; with gradient this and name -> derivative.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
+    return backbone_at(
+        _backbone,
+        amplitude,
+        arguments,
+        ("omega_0", "alpha_2", "alpha_3") if gradient else (),
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
+    little as they can; an equilibrium then is at rest.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), real.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
+    a zero, which is left out.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), real.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike,
+    alpha_3: ArrayLike, order: int | None = None, drift: ArrayLike | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. With a drift, constant ones turn along the
+    symmetries of the slow flow. NaN where a harmonic resonates itself. Derivatives are taken with
+    these fixed. Over times of order 1/ε the error is O(ε^4). A UserWarning says how much is left
+    out where that is more than a tenth of the motion, estimated from the harmonics of each order
+    beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), real.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 4; all by default.
+    drift : array_like, optional
+        Of an equilibrium that drifts, shape (..., 1), rad/s: as `equilibria` gives it.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order u; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        drift=drift,
+        slow=(_FLOW, _coefficients, 3),
+        names=("omega_0", "alpha_2", "alpha_3") if gradient else (),
+    )

@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/helmholtz_duffing_forced.py: change that, not this file.
-# Made from sha256 31dcf40794fa962327438c3742aec87fd27f33962b87b41ce1ba2f703b35fb80
+# Made from sha256 112a3a7a2cb90a953a635fcdfdc2b042560e4c59932253761f6df3129d05ae10
 # Operations for each point: growth_rate 15, boundaries 13, resonance 1, slow_flow_matrix 7,
-# characteristic_coefficients 15, slow_flow 15
+# characteristic_coefficients 15, slow_flow 15, motion 32
 """helmholtz_duffing_forced: Omega = 2*omega_0 + sigma, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -20,7 +20,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -41,10 +45,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -77,6 +84,26 @@ VARIABLES: tuple[str, ...] = ("A_u", "conj(A_u)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    1,
+    (
+        ((0, 0), (0, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (0, 0, 0), (1,)), (0, 0, (1, 0, 0), (0,)), (1, 0, (0, 0, 0), (0,)),
+        (1, 0, (0, 0, 0), (1,)), (1, 0, (0, 0, 0), (2,)), (1, 0, (1, 0, 0), (1,)),
+        (1, 0, (1, 1, 0), (0,)), (1, 0, (2, 0, 0), (0,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, omega_0, alpha_2, mu, K):
@@ -153,6 +180,29 @@ def _slow_flow(out, A_u, sigma, omega_0, alpha_2, mu, K):
     out[..., 0] = -A_u * mu - 1 / 2 * 1j * A_u * sigma - 1j * K * alpha_2 * np.conj(A_u) / (6 * x1)
 
 
+def _motion(out, sigma, omega_0, alpha_2, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = 1 / x0
+    x2 = K * K
+    x3 = x0 * x0
+    x4 = x0 * x3
+    x5 = alpha_2 * x2 / x4
+    x6 = omega_0 * x0
+    x7 = alpha_2 * x1
+    # Outputs
+    out[..., 0] = -K * x1 / 3
+    out[..., 1] = 2
+    out[..., 2] = -x5 / 18
+    out[..., 3] = 2 * K * (2 * sigma / 9 - 2 * 1j * mu / 9) / x6
+    out[..., 4] = x5 / 270
+    out[..., 5] = -K * alpha_2 / (12 * x3)
+    out[..., 6] = -2 * x7
+    out[..., 7] = 2 * x7 / 3
+    out[..., 8] = omega_0 + 1 / 2 * sigma
+    out[..., 9] = 2 * omega_0 + sigma
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -191,8 +241,8 @@ def growth_rate(
 
 
 def boundaries(
-    *, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
-) -> tuple[Any, Any]:
+    *, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 1
@@ -210,12 +260,14 @@ def boundaries(
         Half the damping over the mass, 1/s, > 0.
     K : array_like
         Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -223,7 +275,12 @@ def boundaries(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("omega_0", "alpha_2", "mu", "K") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -362,3 +419,141 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike,
+    alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike,
+    mu: ArrayLike, K: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 1). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike,
+    alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^1). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 1; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order u; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "omega_0", "alpha_2", "mu", "K") if gradient else (),
+    )

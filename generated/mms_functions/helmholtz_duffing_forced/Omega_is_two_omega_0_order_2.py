@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/helmholtz_duffing_forced.py: change that, not this file.
-# Made from sha256 0ca2676ea60a144489fb44de61dc06de2b142cb46d9351e1d53c8f37fc64fa3e
-# Operations for each point: slow_flow 51
+# Made from sha256 0381a06dbfbb37fcf514926721315ac98c60d556bfec0285913a568dd392964e
+# Operations for each point: slow_flow 51, coefficients 42, backbone 29, motion 118
 """helmholtz_duffing_forced: Omega = 2*omega_0 + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._motion import Motion, response_at
+from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
+from .._one_amplitude import equilibria_of_one
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -65,6 +75,31 @@ VARIABLES: tuple[str, ...] = ()
 # --- formulas -------------------------------------------------------------------------------------
 
 
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    1,
+    (
+        (0, (0, 1, 0)), (0, (1, 0, 0)), (0, (2, 1, 0)),
+    ),
+    (),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (0, 0, 0), (1,)), (0, 0, (1, 0, 0), (0,)), (1, 0, (0, 0, 0), (0,)),
+        (1, 0, (0, 0, 0), (1,)), (1, 0, (0, 0, 0), (2,)), (1, 0, (1, 0, 0), (1,)),
+        (1, 0, (1, 1, 0), (0,)), (1, 0, (2, 0, 0), (0,)), (2, 0, (0, 0, 0), (0,)),
+        (2, 0, (0, 0, 0), (1,)), (2, 0, (0, 0, 0), (2,)), (2, 0, (0, 0, 0), (3,)),
+        (2, 0, (1, 0, 0), (-2,)), (2, 0, (1, 0, 0), (1,)), (2, 0, (1, 0, 0), (2,)),
+        (2, 0, (1, 1, 0), (1,)), (2, 0, (2, 0, 0), (-1,)), (2, 0, (2, 0, 0), (0,)),
+        (2, 0, (2, 0, 0), (1,)), (2, 0, (3, 0, 0), (0,)),
+    ),
+    1,
+)
+
+
 def _slow_flow(out, A_u, sigma, omega_0, alpha_2, alpha_3, mu, K):
     # Intermediates
     x0 = np.conj(A_u)
@@ -83,6 +118,103 @@ def _slow_flow(out, A_u, sigma, omega_0, alpha_2, alpha_3, mu, K):
         + K * alpha_2 * x0 * (2 * mu / 9 + 1j * (11 * sigma / 36 - omega_0 / 6)) / x3
         + 1j * x0 * x9 * (3 / 2 * alpha_3 * x2 - 5 * x1 / 3) / x4 - 1 / 2 * 1j * A_u * sigma
     )
+
+
+def _coefficients(out, sigma, omega_0, alpha_2, alpha_3, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = x0 * x0
+    x2 = omega_0 * x0
+    x3 = x1 * x2
+    x4 = K * K
+    x5 = alpha_2 * alpha_2
+    x6 = mu * mu
+    x7 = x0 * x1
+    # Outputs
+    out[..., 0] = K * alpha_2 * (2 * mu / 9 + 1j * (11 * sigma / 36 - omega_0 / 6)) / x1
+    out[..., 1] = (
+        (1j * (alpha_3 * x0 * x4 / 12 - 5 * x4 * x5 / 144 - 1 / 2 * x6 * x7) - mu * x3) / x3
+        - 1 / 2 * 1j * sigma
+    )
+    out[..., 2] = 1j * (3 / 2 * alpha_3 * x0 - 5 * x5 / 3) / x2
+
+
+def _backbone(a_u, omega_0, alpha_2, alpha_3, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = alpha_3 * x0
+    x2 = alpha_2 * alpha_2
+    x3 = K * K
+    x4 = omega_0 * x0
+    x5 = x0 * x0
+    x6 = x4 * x5
+    x7 = mu * mu
+    x8 = x0 * x5
+    x9 = a_u * a_u
+    # Outputs
+    rate = (
+        -(5 * x2 * x3 + 72 * x7 * x8 - 12 * x1 * x3) / (72 * x6)
+        - x9 * (10 * x2 - 9 * x1) / (12 * x4)
+    )
+    return rate
+
+
+def _motion(out, sigma, omega_0, alpha_2, alpha_3, mu, K):
+    # Intermediates
+    x0 = omega_0 * omega_0
+    x1 = 1 / x0
+    x2 = x0 * x0
+    x3 = x0 * x2
+    x4 = 1 / x3
+    x5 = K * K
+    x6 = alpha_2 * x5
+    x7 = x4 * x6
+    x8 = omega_0 * x0
+    x9 = 1 / x8
+    x10 = 1j * mu
+    x11 = 2 * K
+    x12 = 1 / x2
+    x13 = alpha_2 * x1
+    x14 = x2 * x8
+    x15 = x6 / x14
+    x16 = x2 * x2
+    x17 = x0 * x16
+    x18 = 1 / x17
+    x19 = alpha_3 * x0
+    x20 = alpha_2 * alpha_2
+    x21 = sigma * sigma
+    x22 = mu * mu
+    x23 = 2 * x20
+    x24 = K * x5
+    x25 = x5 / x16
+    x26 = omega_0 * x2
+    x27 = K * x4
+    # Outputs
+    out[..., 0] = -K * x1 / 3
+    out[..., 1] = 2
+    out[..., 2] = -x7 / 18
+    out[..., 3] = x11 * x9 * (2 * sigma / 9 - 2 * x10 / 9)
+    out[..., 4] = x7 / 270
+    out[..., 5] = -K * alpha_2 * x12 / 12
+    out[..., 6] = -2 * x13
+    out[..., 7] = 2 * x13 / 3
+    out[..., 8] = 4 * sigma * x15 / 27
+    out[..., 9] = (
+        x11 * x18 * (13 * sigma * x10 * x3 / 27 + 29 * x20 * x5 / 4860 + 8 * x22 * x3 / 27
+        - x19 * x5 / 216 - 13 * x21 * x3 / 54)
+    )
+    out[..., 10] = 2 * x15 * (4 * x10 / 675 - 14 * sigma / 2025)
+    out[..., 11] = -x18 * x24 * (15 * x19 + x23) / 56700
+    out[..., 12] = x25 * (90 * alpha_3 * x0 - 41 * x20) / 4320
+    out[..., 13] = alpha_2 * x11 * (25 * sigma / 288 - x10 / 18) / x26
+    out[..., 14] = x25 * (90 * x19 + 19 * x20) / 12960
+    out[..., 15] = -x27 * (36 * alpha_3 * x0 - 37 * x20) / 54
+    out[..., 16] = x27 * (9 * x19 + x23) / 9
+    out[..., 17] = -8 * alpha_2 * x10 * x9 / 9
+    out[..., 18] = -x27 * (18 * x19 + 7 * x20) / 270
+    out[..., 19] = 2 * x12 * (1 / 8 * x19 + x20 / 12)
+    out[..., 20] = omega_0 + 1 / 2 * sigma
+    out[..., 21] = 2 * omega_0 + sigma
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -127,3 +259,290 @@ def slow_flow(
         PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def equilibria(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, mu: ArrayLike,
+    K: ArrayLike, gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 1), drift (..., count, 0) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K,
+    )
+    return equilibria_at(
+        equilibria_of_one,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "omega_0", "alpha_2", "alpha_3", "mu", "K") if gradient else (),
+    )
+
+
+def frequency_response(
+    *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, mu: ArrayLike,
+    K: ArrayLike, over: str = "sigma",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K,
+    )
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "omega_0", "alpha_2", "alpha_3", "mu", "K"),
+        over,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
+    mu: ArrayLike, K: ArrayLike, gradient: bool = False,
+) -> Any:
+    """The detuning sigma on the backbone curve.
+
+    Where the conservative part of the slow flow that no phase enters is at rest; free motions
+    without damping lie on it, and the responses of weakly damped ones close by.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        In rad/s, float64; with gradient this and name -> derivative.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K)
+    return backbone_at(
+        _backbone,
+        amplitude,
+        arguments,
+        ("omega_0", "alpha_2", "alpha_3", "mu", "K") if gradient else (),
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike,
+    alpha_3: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K,
+    )
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike,
+    alpha_3: ArrayLike, mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t).
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K,
+    )
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike,
+    alpha_2: ArrayLike, alpha_3: ArrayLike, mu: ArrayLike, K: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = 2*omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha_2 : array_like
+        Quadratic stiffness over the mass, 1/(m s^2), > 0.
+    alpha_3 : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order u; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3, mu=mu, K=K,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        slow=(_FLOW, _coefficients, 6),
+        names=("sigma", "omega_0", "alpha_2", "alpha_3", "mu", "K") if gradient else (),
+    )

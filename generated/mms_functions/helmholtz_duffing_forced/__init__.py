@@ -34,7 +34,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "two_Omega_is_omega_0_order_2": {
         "relation": "2*Omega = omega_0 + sigma",
@@ -43,7 +51,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "Omega_is_two_omega_0_order_1": {
         "relation": "Omega = 2*omega_0 + sigma",
@@ -63,6 +79,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_two_omega_0_order_2": {
@@ -72,7 +91,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

@@ -1,0 +1,319 @@
+"""Equilibria along one parameter: branches in order, through folds, and their bifurcations."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._arcs import Curve
+from ._charts import normal
+from ._flow import Flow
+from ._images import images
+from ._many_amplitudes import equilibria_of_many
+from ._nets import Net, joined, nets
+from ._one_amplitude import equilibria_of_one
+from ._points import Points, bifurcations, points_of
+from ._records import Bifurcation, Branch, Equilibria, Response
+from ._samples import Samples, mirrored, samples, samples_at_rest
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["response_of"]
+
+SECTIONS = 48
+"""Values of the parameter at which all equilibria of several amplitudes are computed, at first."""
+
+SECTIONS_OF_ONE, LOOKED_AT = 40, 2048
+"""The same for one amplitude, and at how many values there its equilibria are counted."""
+
+
+def response_of(
+    flow: Flow, coefficients: Callable[[Any], Any], values: Any, name: str = ""
+) -> Response:
+    """All equilibria along one parameter, their branches and bifurcations.
+
+    Parameters
+    ----------
+    flow : Flow
+    coefficients : callable
+        Values of the parameter, shape (K,) → coefficients, shape (K, terms). It is called for
+        values between the smallest and the largest of `values`.
+    values : array_like
+        Of the parameter, one-dimensional, in any order.
+    name : str
+        Of the parameter.
+
+    Returns
+    -------
+    Response
+        The points of a branch are at the given values, in order along the curve, which may turn
+        back at folds; these are points of it as well. Of equilibria that are carried into each
+        other by B → −B, or by the phases of a subharmonic, one is there.
+
+    Raises
+    ------
+    ValueError
+        If the values are not a one-dimensional array of finite numbers, or as
+        `equilibria_of_one` and `equilibria_of_many`.
+
+    Notes
+    -----
+    All equilibria are computed at 48 values, twice as many where their number changes; for one
+    amplitude at 2048. From there the branches are followed. A closed branch that lies between two
+    neighbouring ones of these values is not seen.
+    """
+    given = np.asarray(values)
+    if given.ndim != 1 or given.dtype.kind not in "iuf" or not np.isfinite(given).all():
+        raise ValueError("the values of the parameter must be a one-dimensional array of numbers")
+    p = np.unique(given.astype(np.float64))
+    if not len(p):
+        return Response(name, (), ())
+
+    def numbers(x: Any) -> NDArray[np.complex128]:
+        c = np.asarray(coefficients(np.asarray(x)), dtype=np.complex128)
+        return np.broadcast_to(c, (len(x), c.shape[-1]))
+
+    c = numbers(p)
+    finite = np.isfinite(c).all(axis=-1)
+    p, c = p[finite], c[finite]
+    if not len(p):
+        return Response(name, (), ())
+    sections, found = _sections(flow, p, c)
+    parts = nets(flow, numbers, p[sections], found)
+    raw: list[_Raw] = []
+    for net in parts:
+        if len(sections) > 1:
+            joined(net, p[sections])
+        raw += _branches(flow, net, p, c, sections)
+    size = float(np.nanmax(np.abs(found.amplitudes), initial=0.0)) or 1.0
+    marks = bifurcations([(flow, r.curve, r.points) for r in raw], size, float(p[-1] - p[0]))
+    branches = [_finished(r, marks, p) for r in raw]
+    long = [b for b in branches if len(b.parameter) > 1 or len(p) == 1]
+    alone = [b for b in branches if len(b.parameter) == 1 < len(p) and not _on_any(b, long, size)]
+    return Response(name, (*long, *alone), marks)
+
+
+def _sections(
+    flow: Flow, p: NDArray[np.float64], c: NDArray[np.complex128]
+) -> tuple[NDArray[np.int64], Equilibria]:
+    """Places among the values at which all equilibria are known, and these."""
+    if flow.n == 1:
+        looked = _spread(len(p), LOOKED_AT)
+        every = equilibria_of_one(flow, c[looked])
+        number = every.number
+        chosen = _spread(len(looked), SECTIONS_OF_ONE)
+        tops = []
+        for a, b in pairwise(chosen):
+            # A closed branch between two sections shows in the number of equilibria there.
+            top = a + int(np.argmax(number[a : b + 1]))
+            if number[top] > max(number[a], number[b]):
+                tops.append(top)
+        chosen = np.unique(np.concatenate((chosen, np.array(tops, dtype=np.int64))))
+        return looked[chosen], _picked(every, chosen)
+    chosen = _spread(len(p), SECTIONS)
+    found = equilibria_of_many(flow, c[chosen])
+    change = np.diff(found.number) != 0
+    middle = (chosen[:-1] + chosen[1:])[change] // 2
+    middle = np.setdiff1d(middle, chosen)
+    if len(middle):
+        more = equilibria_of_many(flow, c[middle])
+        width = max(found.amplitudes.shape[1], more.amplitudes.shape[1])
+        wide = zip(found, more, strict=True)
+        both: list[Any] = [np.concatenate((_wide(a, width), _wide(b, width))) for a, b in wide]
+        chosen = np.concatenate((chosen, middle))
+        order = np.argsort(chosen)
+        chosen, found = chosen[order], _picked(Equilibria(*both), order)
+    return chosen, found
+
+
+def _spread(size: int, count: int) -> NDArray[np.int64]:
+    """At most `count` places among `size`, the first and the last with them."""
+    return np.unique(np.linspace(0, size - 1, count).round().astype(np.int64))
+
+
+def _picked(found: Equilibria, rows: NDArray[np.int64]) -> Equilibria:
+    parts: list[Any] = [part[rows] for part in found]
+    return Equilibria(*parts)
+
+
+def _wide(part: NDArray[Any], width: int) -> NDArray[Any]:
+    """Filled up with NaN along the second axis."""
+    missing = [(0, 0), (0, width - part.shape[1])] + [(0, 0)] * (part.ndim - 2)
+    return np.pad(part, missing, constant_values=np.nan)
+
+
+class _Raw(NamedTuple):
+    """A branch whose ends are open where it begins at a point that is its own mirror image."""
+
+    curve: Curve
+    points: Points
+    open: tuple[bool, bool]
+
+
+# --- branches -------------------------------------------------------------------------------------
+
+
+def _branches(
+    flow: Flow,
+    net: Net,
+    p: NDArray[np.float64],
+    c: NDArray[np.complex128],
+    sections: NDArray[np.int64],
+) -> list[_Raw]:
+    """The branches of a net, at the given values and at their folds."""
+    place = net.curve.place
+    at = sections[net.section]
+    nodes = Samples(
+        np.full(len(at), -1), np.zeros(len(at)), p[at], np.array(net.x), np.zeros(len(at), bool)
+    )
+    if net.links:
+        between = samples(net, p, c) if place.active else samples_at_rest(net, p, sections)
+        order = np.lexsort((between.along, between.link))
+        between = between.pick(order)
+        every = nodes.and_then(between)
+    else:
+        between, every = nodes, nodes
+    points = points_of(flow, net.curve, every.p, every.x, every.fold)
+    count = len(at)
+    inner = [
+        count + np.flatnonzero(between.link == k) if net.links else np.zeros(0, int)
+        for k in range(len(net.links))
+    ]
+    branches = []
+    for chain in _chains(net):
+        index, phases = _along(net, chain, inner)
+        own = points.pick(index)
+        if place.active:
+            turned = own.amplitudes.copy()
+            turned[:, list(place.active)] = normal(
+                place, own.amplitudes[:, list(place.active)] * np.exp(2j * np.pi * phases)
+            )
+            own = own._replace(amplitudes=turned)
+        steps = chain[1]
+        first = bool(steps) and steps[0][1] and _terminal(net, steps[0][0])
+        last = bool(steps) and not steps[-1][1] and _terminal(net, steps[-1][0])
+        branches.append(_Raw(net.curve, own, (first, last)))
+    return branches
+
+
+def _finished(raw: _Raw, marks: tuple[Bifurcation, ...], p: NDArray[np.float64]) -> Branch:
+    """The branch, its open ends led on to the bifurcations where they come from."""
+    place = raw.curve.place
+    out = Branch(*raw.points[:4])
+    for k, is_open in zip((0, -1), raw.open, strict=True):
+        if not is_open:
+            continue
+        at = float(out.parameter[k])
+        near = int(np.clip(np.searchsorted(p, at), 1, len(p) - 1))
+        reach = 1.5 * float(np.diff(p[max(near - 2, 0) : near + 3]).max())
+        b = out.amplitudes[k]
+        found = [
+            m
+            for m in marks
+            if m.kind in ("pitchfork", "Hopf")
+            and abs(m.parameter - at) <= reach
+            and set(np.flatnonzero(np.abs(m.amplitudes))) < set(place.active)
+        ]
+        if not found:
+            continue
+        mark = min(found, key=lambda m: abs(m.parameter - at))
+        points = np.tile(mark.amplitudes, (len(images(place)), 1))
+        own = list(place.active)
+        points[:, own] *= np.exp(2j * np.pi * np.array(images(place)))
+        end = points[np.argmin(np.abs(points - b).max(axis=1))]
+        parts = (np.array([mark.parameter]), end[None], mark.drift[None], np.zeros(1))
+        pairs = [(x, y) if k == 0 else (y, x) for x, y in zip(parts, out, strict=True)]
+        out = Branch(*(np.concatenate(pair) for pair in pairs))
+    return out
+
+
+def _on_any(point: Branch, others: list[Branch], size: float) -> bool:
+    """Whether a single point lies on one of the other branches."""
+    for other in others:
+        same = other.parameter == point.parameter[0]
+        gap = np.abs(np.abs(other.amplitudes[same]) - np.abs(point.amplitudes)).max(axis=1)
+        if np.any(gap < 1e-6 * size):
+            return True
+    return False
+
+
+Step = tuple[int, bool]
+"""A link and whether it is passed from its end to its start."""
+
+
+def _chains(net: Net) -> list[tuple[int, list[Step]]]:
+    """First nodes, and the links that follow each other from there; every link occurs once.
+
+    Where a branch ends in a link, the number of nodes and that of the link together stand for its
+    end.
+    """
+    count = len(net.section)
+    ends: dict[tuple[int, int], Step] = {}
+    for k, link in enumerate(net.links):
+        ends.setdefault((link.start, link.start_side), (k, False))
+        other = (count + k, 0) if _terminal(net, k) else (link.end, link.end_side)
+        ends.setdefault(other, (k, True))
+    used: set[int] = set()
+    reached: set[int] = set()
+    chains = []
+
+    def section(node: int) -> int:
+        return net.section[node if node < count else net.links[node - count].start]
+
+    def free(node: int) -> list[int]:
+        return [s for s in (1, 0, -1) if (node, s) in ends and ends[node, s][0] not in used]
+
+    def walk(node: int) -> list[Step]:
+        steps: list[Step] = []
+        reached.add(node)
+        sides = free(node)
+        while sides:
+            k, back = ends[node, sides[0]]
+            used.add(k)
+            steps.append((k, back))
+            link = net.links[k]
+            node = link.start if back else (count + k if _terminal(net, k) else link.end)
+            reached.add(node)
+            sides = free(node)
+        return steps
+
+    order = [*range(count), *(count + k for k in range(len(net.links)) if _terminal(net, k))]
+    order.sort(key=lambda node: (section(node), node))
+    for most in (1, 2):  # first those that end somewhere, then the closed ones
+        for node in order:
+            if node not in reached and len(free(node)) <= most:
+                chains.append((node, walk(node)))
+    return chains
+
+
+def _terminal(net: Net, k: int) -> bool:
+    """Whether a branch ends in a link."""
+    return mirrored(net.links[k]) or net.links[k].end < 0
+
+
+def _along(
+    net: Net, chain: tuple[int, list[Step]], inner: list[NDArray[np.int64]]
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Points of a chain in order, and the phases by which each of them is turned."""
+    node, steps = chain
+    width, count = len(net.curve.place.active), len(net.section)
+    phase = np.zeros(width)
+    index = [np.array([node] if node < count else [], dtype=np.int64)]
+    phases = [np.zeros((len(index[0]), width))]
+    for k, back in steps:
+        link, ends = net.links[k], _terminal(net, k)
+        own = inner[k][: len(inner[k]) // 2] if mirrored(link) else inner[k]
+        own = own[::-1] if back else own
+        shift = np.zeros(width) if ends else np.array(link.phases)
+        phase = phase - shift if back else phase
+        index.append(own)
+        phases.append(np.tile(phase, (len(own), 1)))
+        phase = phase if back else phase + shift
+        if back or not ends:
+            index.append(np.array([link.start if back else link.end]))
+            phases.append(phase[None])
+    return np.concatenate(index), np.concatenate(phases)

@@ -1,0 +1,304 @@
+"""All equilibria of a slow flow with any number of amplitudes, by following paths.
+
+For each set of amplitudes that are not zero the equilibria solve a system of polynomials in B and
+B̄, independent of each other. All solutions of that system for generic complex coefficients are
+known (`_starts`); as the coefficients go along straight lines to those wanted, paths lead from
+them to every isolated solution (Morgan and Sommese, "Coefficient-parameter polynomial
+continuation", Appl. Math. Comput. 29, 1989). Real are those with B̄ = conj(B).
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._charts import chart, normal, polish
+from ._flow import Flow, spectrum
+from ._paths import newton, track
+from ._records import Equilibria
+from ._starts import generic_solutions
+from ._systems import System, equilibrium_system, patterns
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+__all__ = ["equilibria_of_many", "generic_counts"]
+
+# Paths that are followed together.
+BLOCK = 12_000
+EPS = 2.0**-52
+# What is left of the way of a path that ends in a singular point or at infinity.
+LOST = 1e-3
+
+
+def generic_counts(flow: Flow) -> dict[tuple[int, ...], int]:
+    """How many complex equilibria generic coefficients have, for each set of active amplitudes.
+
+    Those that a symmetry carries into each other count once. No parameters have more isolated
+    equilibria, real or complex, counted with their multiplicities.
+    """
+    counts = {}
+    for active in patterns(flow):
+        if active:
+            system = equilibrium_system(flow, active)
+            counts[active] = generic_solutions(system.terms, system.d, system.logs)[1].shape[1]
+        else:
+            counts[active] = 1
+    return counts
+
+
+def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
+    """All isolated equilibria at each point of a batch.
+
+    Parameters
+    ----------
+    flow : Flow
+    coefficients : array_like
+        Shape (..., terms).
+
+    Returns
+    -------
+    Equilibria
+        Complete with probability one: every equilibrium that is isolated among the complex
+        solutions, circles along symmetries counted as one point. Equilibria that fill curves or
+        surfaces beyond that, as the normal modes of undamped free oscillators do, are left out.
+        Everything is NaN where a coefficient is not finite. `certified` tells which of them are
+        proved to be equilibria, one each.
+
+    Raises
+    ------
+    ValueError
+        If generic coefficients have more than 20,000 equilibria.
+    """
+    c = np.asarray(coefficients, dtype=np.complex128)
+    shape, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
+    finite = np.flatnonzero(np.isfinite(flat).all(axis=-1))
+    found = []
+    for rows, own, columns in _groups(flow, flat, finite):
+        for active in patterns(own):
+            found.append(_with_active(own, active, flat[:, columns], rows))
+    g = len(flow.symmetries)
+    found.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
+    rows, b, drift = (np.concatenate(x) for x in zip(*found, strict=True))
+    return _arranged(flow, flat, shape, rows, b, drift)
+
+
+def _groups(
+    flow: Flow, flat: NDArray[Any], finite: NDArray[np.int64]
+) -> Iterator[tuple[NDArray[np.int64], Flow, list[int]]]:
+    """Rows together in which the same amplitudes can be zero, and the terms that count there.
+
+    A force that vanishes at some points leaves amplitudes at rest there that it moves elsewhere.
+    """
+    usual = patterns(flow)
+    every = list(range(len(flow.terms)))
+    present = flat[finite] != 0.0
+    kinds, index = np.unique(present, axis=0, return_inverse=True)
+    reduced = []
+    for kind in kinds:
+        columns = [m for m in every if kind[m]]
+        own = flow._replace(terms=tuple(flow.terms[m] for m in columns))
+        reduced.append((flow, every) if patterns(own) == usual else (own, columns))
+    for choice in dict.fromkeys((own, tuple(columns)) for own, columns in reduced):
+        same = [(own, tuple(columns)) == choice for own, columns in reduced]
+        yield finite[np.array(same)[index.ravel()]], choice[0], list(choice[1])
+
+
+def _with_active(
+    flow: Flow, active: tuple[int, ...], flat: NDArray[Any], finite: NDArray[np.int64]
+) -> tuple[NDArray[np.int64], NDArray[Any], NDArray[np.float64]]:
+    """Equilibria with given amplitudes other than zero: their points, amplitudes and drifts."""
+    g = len(flow.symmetries)
+    if not active:
+        return finite, np.zeros((len(finite), flow.n), complex), np.zeros((len(finite), g))
+    system, place = equilibrium_system(flow, active), chart(flow, active)
+    base, start = generic_solutions(system.terms, system.d, system.logs)
+    found: list[tuple[Any, Any, Any]] = []
+    step = max(1, BLOCK // max(1, start.shape[1]))
+    for k in range(0, len(finite) if start.shape[1] else 0, step):
+        rows = finite[k : k + step]
+        target, scales = scaled(system, flat[rows])
+        z, which, condition = _ends(system, base, start, target)
+        if not len(which):
+            continue
+        good, b, rate = _real(system, scales[:, which], z, condition)
+        b, rate, which = b[good], rate[good], which[good]
+        own = flat[rows[which]][:, list(place.columns)]
+        b, turns = _in_chart(place, b, rate)
+        b, turns = polish(place, own, b, turns)
+        found.append((rows[which], b, turns))
+    if not found:
+        return finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))
+    rows, b, turns = (np.concatenate(x) for x in zip(*found, strict=True))
+    whole, drift = np.zeros((len(rows), flow.n), complex), np.zeros((len(rows), g))
+    whole[:, list(active)] = normal(place, b)
+    if place.drifts:
+        drift = turns @ np.array(place.mixing)
+    return rows, whole, drift
+
+
+def _in_chart(place: Any, b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any]:
+    """Amplitudes with real pivots, and rates along the symmetries in echelon form."""
+    if not place.pivots:
+        return b, rate
+    return normal(place, b), rate @ np.array(place.parts)[list(place.drifts)]
+
+
+def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.float64]]:
+    """Coefficients of the system near one, and the scales of its unknowns that make them so.
+
+    Parameters
+    ----------
+    system : System
+    flat : numpy.ndarray
+        Coefficients of the flow, shape (K, terms).
+
+    Returns
+    -------
+    target : numpy.ndarray
+        Shape (terms, K).
+    scales : numpy.ndarray
+        Of the active amplitudes, then of the drifts, shape (active + drifts, K).
+    """
+    source, factor = np.array(system.source), np.array(system.factor, dtype=np.complex128)
+    raw = np.where(source[:, None] >= 0, flat.T[source], 1.0)
+    raw = np.where(np.array(system.conjugate)[:, None], raw.conj(), raw) * factor[:, None]
+    rows, weights = np.array([r for r, _ in system.terms]), np.array(system.weights, dtype=float)
+    p, unknowns = len(system.active), weights.shape[1]
+    own = np.flatnonzero((rows < 2 * p) & (rows % 2 == 0))
+    design = np.concatenate((weights[own], (rows[own, None] // 2 == np.arange(p))), axis=1)
+    with np.errstate(divide="ignore"):
+        logs = np.log(np.abs(raw[own]))
+    counted = np.isfinite(logs).astype(float)
+    logs = np.where(counted > 0.0, logs, 0.0)
+    answer = np.zeros((unknowns + p, flat.shape[0]))
+    for _ in range(2):
+        # Least squares; the small diagonal decides what no coefficient determines.
+        normal_matrix = np.einsum("ti,tk,tj->kij", design, counted, design)
+        normal_matrix += 1e-6 * np.eye(unknowns + p)
+        right = -np.einsum("ti,tk->ki", design, counted * logs)
+        answer = np.linalg.solve(normal_matrix, right[..., None])[..., 0].T
+        size = logs + design @ answer
+        largest = np.full((p, flat.shape[0]), -np.inf)
+        np.maximum.at(largest, rows[own] // 2, np.where(counted > 0.0, size, -np.inf))
+        counted = counted * (size > largest[rows[own] // 2] + np.log(1e-4))
+    powers = np.where(rows[:, None] < 2 * p, weights @ answer[:unknowns], 0.0)
+    level = answer[unknowns + np.minimum(rows // 2, p - 1)]
+    powers = powers + np.where(rows[:, None] < 2 * p, level, 0.0)
+    return raw * np.exp(powers), np.exp(answer[:unknowns])
+
+
+def _ends(
+    system: System, base: NDArray[Any], start: NDArray[Any], target: NDArray[Any]
+) -> tuple[NDArray[Any], NDArray[np.int64], NDArray[np.float64]]:
+    """Solutions for each column of `target`, different ones, their columns and conditions."""
+    terms, logs, count, k = system.terms, system.logs, start.shape[1], target.shape[1]
+    end = np.repeat(target, count, axis=1)
+    begin = np.broadcast_to(base, end.shape)
+    paths = track(terms, begin, end, np.tile(start, (1, k)), logs)
+    z, left = paths.z.copy(), paths.left.copy()
+    for tolerance in (1e-5, 1e-7):
+        astray = _twice(np.where(left == 0.0, z, np.nan), count, 1e-8) | (left > LOST)
+        again = np.flatnonzero(astray.reshape(k, count).any(axis=1))
+        if not len(again):
+            break
+        rows = (again[:, None] * count + np.arange(count)).ravel()
+        points = np.tile(start, (1, len(again)))
+        paths = track(terms, begin[:, rows], end[:, rows], points, logs, tolerance)
+        z[:, rows], left[rows] = paths.z, paths.left
+    z[:, left > LOST] = np.nan
+    z, last, condition = newton(terms, end, z, logs, 8)
+    z[:, ~((last < 1e-6) & np.isfinite(condition))] = np.nan
+    # Two solutions that are δ apart have conditions of 1/δ and errors of EPS/δ: both rules agree
+    # that they are one where δ is below 1e-7.
+    close = np.clip(100.0 * EPS * condition, 1e-9, 1e-4)
+    keep = np.flatnonzero(np.isfinite(z).all(axis=0) & ~_twice(z, count, close))
+    return z[:, keep], keep // count, condition[keep]
+
+
+def _twice(z: NDArray[Any], count: int, distance: Any) -> NDArray[np.bool_]:
+    """Which of `count` consecutive solutions equal one before them, relative to each unknown."""
+    distance = np.broadcast_to(distance, z.shape[1:]).reshape(-1, count, 1)
+    table = z.reshape(len(z), -1, count)
+    size = np.abs(table)
+    same = np.ones((table.shape[1], count, count), dtype=bool)
+    for values, sizes in zip(table, size, strict=True):
+        gap = np.abs(values[:, :, None] - values[:, None, :])
+        same &= gap <= distance * (sizes[:, :, None] + sizes[:, None, :])
+    return (same & np.tri(count, k=-1, dtype=bool)).any(axis=-1).ravel()
+
+
+def _real(
+    system: System, scales: NDArray[np.float64], z: NDArray[Any], condition: NDArray[np.float64]
+) -> tuple[NDArray[np.bool_], NDArray[np.complex128], NDArray[np.float64]]:
+    """Which solutions have B̄ = conj(B), and the amplitudes and rates of drift."""
+    p, inner = len(system.active), system.d - len(system.drifts)
+    plain = np.array([z[b] for b, _, _ in system.places])
+    barred = np.array([z[w] if w >= 0 else np.ones(z.shape[1]) for _, w, _ in system.places])
+    sizes = [z[m] for _, _, m in system.places if m >= 0]
+    if system.drifts:
+        turns = np.array(
+            [[system.flow.symmetries[g][a] for a in system.active] for g in system.drifts], float
+        )
+        at = [system.active.index(a) for a in system.fixed]
+        with np.errstate(all="ignore"):
+            ratio = 0.5 * np.log(np.abs(barred[at] / plain[at]))
+        stretch = np.exp(turns.T @ np.linalg.solve(turns[:, at].T, ratio))
+        plain, barred = plain * stretch, barred / stretch
+    rate = z[inner:]
+    error = np.clip(1e3 * EPS * condition, 1e-10, 1e-5)
+    with np.errstate(all="ignore"):
+        gap = np.abs(barred - plain.conj()) / (np.abs(barred) + np.abs(plain))
+        good = (gap < error).all(axis=0)
+        bound = error * (1.0 + np.abs(rate))
+        good &= (np.abs(rate.imag) < bound).all(axis=0)
+        for m in sizes:
+            good &= m.real > 0.0
+        # An amplitude that vanishes belongs to another set of amplitudes.
+        good &= (np.abs(plain) > 1e-12 * np.abs(plain).max(axis=0)).all(axis=0)
+    b = (0.5 * (plain + barred.conj()) * scales[:p]).T
+    return good, b, (rate.real * scales[p:]).T
+
+
+def _arranged(
+    flow: Flow,
+    flat: NDArray[Any],
+    shape: tuple[int, ...],
+    rows: NDArray[np.int64],
+    b: NDArray[np.complex128],
+    drift: NDArray[np.float64],
+) -> Equilibria:
+    """Equilibria in their order, filled up with NaN."""
+    size = (np.abs(b) ** 2).sum(axis=-1)
+    order = np.lexsort((size, rows))
+    # Sizes that differ by rounding errors alone are the same.
+    steps = np.diff(size[order], prepend=0.0) > 1e-9 * size[order]
+    rank = np.empty(len(rows), dtype=np.int64)
+    rank[order] = np.cumsum(steps | (np.diff(rows[order], prepend=-1) > 0))
+    turns = np.round(np.angle(b) / (2.0 * np.pi) % 1.0, 9) % 1.0
+    turns[np.abs(b) == 0.0] = 0.0
+    order = np.lexsort((*(turns[:, k] for k in reversed(range(flow.n))), rank))
+    rows, b, drift = rows[order], b[order], drift[order]
+    keep = np.ones(len(rows), dtype=bool)
+    if len(rows) > 1:
+        near = np.abs(np.diff(b, axis=0)).max(axis=-1) < 1e-9 * np.abs(b[1:]).max(axis=-1)
+        keep[1:] = ~(near & (np.diff(rows) == 0))
+    rows, b, drift = rows[keep], b[keep], drift[keep]
+    first = np.searchsorted(rows, np.arange(len(flat)))
+    number = np.arange(len(rows)) - first[rows]
+    k = int(number.max()) + 1 if len(rows) else 0
+    g = len(flow.symmetries)
+    amplitudes = np.full((len(flat), k, flow.n), complex(np.nan, np.nan))
+    drifts, growth = np.full((len(flat), k, g), np.nan), np.full((len(flat), k), np.nan)
+    amplitudes[rows, number], drifts[rows, number] = b, drift
+    if len(rows):
+        values = spectrum(flow, flat[rows], b, drift if g else None)
+        growth[rows, number] = values[:, 0].real
+    return Equilibria(
+        amplitudes.reshape(*shape, k, flow.n),
+        drifts.reshape(*shape, k, g),
+        growth.reshape(*shape, k),
+    )

@@ -1,0 +1,267 @@
+"""Coordinates from amplitudes: the uniform approximation with all its harmonics, in batches.
+
+    q_j(t) = Re Σ_m c_m Π_k B_k^{r_k} B̄_k^{s_k} |B_k|^{t_k} e^{iθ_m t},
+    θ_m = Σ_k (r_k − s_k)(ω_k + λ_k) + Σ_l h_l Ω_l
+
+with terms that are fixed, and coefficients c_m and frequencies that depend on the parameters.
+"""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._dual import array_slopes
+from ._flow import Flow, _product
+from ._runtime import checked_amplitudes, evaluate_array
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["Motion", "response_at"]
+
+Kernel = Callable[..., Any]
+
+LIMIT = 0.1
+"""What may be left out, over the motion, before a user is warned."""
+
+
+class Motion(NamedTuple):
+    """The fixed part of a uniform approximation.
+
+    Attributes
+    ----------
+    n : int
+        Number of coordinates.
+    terms : tuple
+        (order, coordinate, (r_1, s_1, t_1, …), (h_1, …)).
+    phasors : int
+        Number of excitations' frequencies.
+    """
+
+    n: int
+    terms: tuple[tuple[int, int, tuple[int, ...], tuple[int, ...]], ...]
+    phasors: int = 0
+
+    @property
+    def order(self) -> int:
+        """The highest order of a term."""
+        return max((term[0] for term in self.terms), default=0)
+
+
+class Slow(NamedTuple):
+    """The slow flow behind the amplitudes: for their drift, and to judge what is small.
+
+    Attributes
+    ----------
+    flow : Flow
+    kernel : callable
+        Fills the coefficients of its terms.
+    taken : int
+        How many of the arguments, the first ones, it takes.
+    """
+
+    flow: Flow
+    kernel: Kernel
+    taken: int
+
+
+def response_at(
+    motion: Motion,
+    kernel: Kernel,
+    arguments: Sequence[NDArray[np.float64]],
+    t: ArrayLike,
+    amplitudes: ArrayLike,
+    *,
+    order: int | None = None,
+    drift: ArrayLike | None = None,
+    slow: tuple[Flow, Kernel, int] | None = None,
+    names: Sequence[str] = (),
+) -> Any:
+    """Coordinates at times.
+
+    Parameters
+    ----------
+    motion : Motion
+    kernel : callable
+        Fills the coefficients of all terms, then the frequencies.
+    arguments : sequence of numpy.ndarray
+        What it takes.
+    t : array_like
+    amplitudes : array_like
+        Shape (..., n); NaN gives NaN.
+    order : int, optional
+        The highest order of the terms that are summed; all of them by default.
+    drift : array_like, optional
+        Shape (..., symmetries): the amplitudes turn, B_j e^{i k_j ρ t}.
+    slow : tuple, optional
+        As for `Slow`.
+    names : sequence of str
+        Of the arguments, where derivatives by them are wanted.
+
+    Returns
+    -------
+    numpy.ndarray, or (numpy.ndarray, dict)
+        Shape (..., n); NaN where a coefficient is not finite, whether its term is summed or not.
+
+    Raises
+    ------
+    ValueError
+        If an argument is not as it should be, or the shapes do not broadcast.
+    """
+    behind = None if slow is None else Slow(*slow)
+    times = _checked_times(t)
+    columns = checked_amplitudes(amplitudes, motion.n, missing=True)
+    highest = _checked_order(order, motion)
+    size = len(motion.terms) + motion.n + motion.phasors
+    slopes: Any = ()
+    if names:
+        table, slopes = array_slopes(kernel, arguments, size)
+    else:
+        table = evaluate_array(kernel, arguments, (size,))
+    moving = columns if drift is None else _drifted(columns, times, drift, behind)
+    _demand_common_shape(times, moving[0], table[..., 0])
+    with np.errstate(all="ignore"):
+        summed = _sum(motion, table, slopes, times, moving, highest)
+        small = _small(summed[1], _slowness(behind, arguments, columns, table, motion))
+    estimate = small ** (highest + 1)
+    if estimate > LIMIT:
+        warnings.warn(
+            f"outside of the validity of the scaling: what counts as small amounts to {small:.2g} "
+            f"here, so that the terms beyond order {highest} are estimated at {estimate:.2g} of "
+            "the motion",
+            UserWarning,
+            stacklevel=3,
+        )
+    if not names:
+        return summed[0]
+    return summed[0], dict(zip(names, summed[2], strict=True))
+
+
+# --- the sum over all terms -----------------------------------------------------------------------
+
+
+def _sum(
+    motion: Motion, table: Any, slopes: Any, times: Any, columns: Sequence[Any], highest: int
+) -> tuple[Any, Any, Any]:
+    """Coordinates, the size of each order in each of them, and the derivatives."""
+    n, count = motion.n, len(motion.terms)
+    rates = [table[..., count + k].real for k in range(n + motion.phasors)]
+    turns = [np.exp(1j * rate * times) for rate in rates]
+    moving = [b * turn for b, turn in zip(columns, turns, strict=False)]
+    shape = np.broadcast_shapes(*(x.shape for x in (*turns, *moving)))
+    out = np.where(_known(table, shape)[..., None], np.zeros(n), np.nan)
+    sizes = np.zeros((highest + 1, *shape, n))
+    derivatives = np.zeros((len(slopes), *shape, n))
+    for m, (order, j, exponents, harmonics) in enumerate(motion.terms):
+        if order > highest:
+            continue
+        value = _product(moving, exponents) * _product(turns[n:], _triples(harmonics))
+        part = table[..., m] * value
+        out[..., j] += part.real
+        sizes[order, ..., j] += np.abs(part)
+        for derivative, slope in zip(derivatives, slopes, strict=True):
+            angle = slope[..., count:].real @ _multiples(exponents, harmonics)
+            derivative[..., j] += (value * slope[..., m] + 1j * angle * times * part).real
+    return out, sizes, derivatives
+
+
+def _known(table: Any, shape: tuple[int, ...]) -> NDArray[np.bool_]:
+    """Where all coefficients are finite."""
+    return np.broadcast_to(np.isfinite(table).all(axis=-1), shape)
+
+
+def _triples(harmonics: tuple[int, ...]) -> tuple[int, ...]:
+    """Powers of e^{iΩt} as those of a number and of its conjugate."""
+    return tuple(x for h in harmonics for x in (max(h, 0), max(-h, 0), 0))
+
+
+def _multiples(exponents: tuple[int, ...], harmonics: tuple[int, ...]) -> NDArray[np.float64]:
+    """The multiples of all frequencies in θ_m."""
+    own = [r - s for r, s in zip(exponents[::3], exponents[1::3], strict=True)]
+    return np.array([*own, *harmonics], dtype=np.float64)
+
+
+def _drifted(columns: Sequence[Any], times: Any, drift: ArrayLike, slow: Slow | None) -> list[Any]:
+    """Amplitudes on their way along the symmetries."""
+    symmetries = () if slow is None else slow.flow.symmetries
+    rates = np.asarray(drift)
+    if rates.dtype.kind not in "iuf" or rates.ndim == 0 or rates.shape[-1] != len(symmetries):
+        raise ValueError(
+            f"drift must be real, of the shape (..., {len(symmetries)}), one rate for each "
+            f"symmetry of the slow flow, got {drift!r}"
+        )
+    if np.isinf(rates).any():
+        raise ValueError("drift must be finite")
+    turned = []
+    for j, b in enumerate(columns):
+        rate = rates @ np.array([k[j] for k in symmetries], dtype=np.float64)
+        turned.append(b * np.exp(1j * rate * times))
+    return turned
+
+
+# --- validity -------------------------------------------------------------------------------------
+
+
+def _small(sizes: Any, slowness: float) -> float:
+    """What is small, from what it makes: the largest k-th root of order k over order zero."""
+    whole = sizes.max(axis=-1, initial=0.0)
+    found = [slowness]
+    for k, size in enumerate(whole[1:], 1):
+        ratio = size / np.where(whole[0] > 0.0, whole[0], np.inf)
+        found.append(float(np.nanmax(ratio, initial=0.0)) ** (1 / k))
+    return max(found)
+
+
+def _slowness(
+    slow: Slow | None,
+    arguments: Sequence[NDArray[np.float64]],
+    columns: Sequence[Any],
+    table: Any,
+    motion: Motion,
+) -> float:
+    """The largest term of the slow flow over frequency and amplitude; zero if that is linear."""
+    if slow is None:
+        return 0.0
+    c = evaluate_array(slow.kernel, arguments[: slow.taken], (len(slow.flow.terms),))
+    sizes = [np.abs(b).astype(np.complex128) for b in columns]
+    whole = np.max(np.broadcast_arrays(*(b.real for b in sizes)), axis=0)
+    worst = 0.0
+    for m, (j, exponents) in enumerate(slow.flow.terms):
+        fast = np.abs(table[..., len(motion.terms) + j].real)
+        own = np.abs(c[..., m]) * np.abs(_product(sizes, exponents)) / (fast * whole)
+        worst = max(worst, float(np.nanmax(np.where(whole > 0.0, own, 0.0), initial=0.0)))
+    return worst
+
+
+# --- arguments ------------------------------------------------------------------------------------
+
+
+def _checked_times(t: ArrayLike) -> NDArray[np.float64]:
+    times = np.asarray(t)
+    if times.dtype.kind not in "iuf" or not np.isfinite(times).all():
+        raise ValueError(f"the time must be real and finite, got {t!r}")
+    return times.astype(np.float64, copy=False)
+
+
+def _checked_order(order: int | None, motion: Motion) -> int:
+    if order is None:
+        return motion.order
+    if isinstance(order, bool) or not isinstance(order, int | np.integer):
+        raise ValueError(f"order must be a whole number, got {order!r}")
+    if not 0 <= order <= motion.order:
+        raise ValueError(f"order must be from 0 to {motion.order}, got {order!r}")
+    return int(order)
+
+
+def _demand_common_shape(times: Any, column: Any, coefficient: Any) -> None:
+    try:
+        np.broadcast_shapes(times.shape, column.shape, coefficient.shape)
+    except ValueError:
+        raise ValueError(
+            f"shapes that do not broadcast together: the time {times.shape}, amplitudes "
+            f"{column.shape} without their last axis, parameters {coefficient.shape}"
+        ) from None

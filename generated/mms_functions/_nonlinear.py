@@ -1,0 +1,349 @@
+"""What emitted functions of nonlinear slow flows do with their coefficients.
+
+Every such module holds the terms of its slow flow, `Flow`, and a kernel for their coefficients; the
+functions here evaluate them in batches: Jacobians, stability, equilibria and how they move with the
+parameters, and their curves along one parameter.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._branches import response_of
+from ._dual import array_slopes, real_at
+from ._flow import Flow, jacobian, rates, spectrum
+from ._records import Equilibria, Response
+from ._runtime import checked_amplitudes, evaluate, evaluate_array
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = [
+    "Slopes",
+    "backbone_at",
+    "drift_of",
+    "equilibria_at",
+    "jacobian_at",
+    "response_along",
+    "slopes_of",
+    "stability_at",
+]
+
+Kernel = Callable[..., Any]
+Arguments = Sequence["NDArray[np.float64]"]
+
+
+class Slopes(NamedTuple):
+    """How equilibria move with one parameter, the others fixed.
+
+    Attributes
+    ----------
+    amplitudes : numpy.ndarray
+        Complex dB_j/dp, shape (..., k, n). Phases are normalised as those of the amplitudes are.
+    drift : numpy.ndarray
+        Shape (..., k, g): dρ/dp.
+    """
+
+    amplitudes: NDArray[np.complex128]
+    drift: NDArray[np.float64]
+
+
+def coefficients_at(flow: Flow, kernel: Kernel, arguments: Arguments) -> NDArray[np.complex128]:
+    """The coefficients of all terms, shape (..., terms)."""
+    return evaluate_array(kernel, arguments, (len(flow.terms),))
+
+
+def _points(flow: Flow, amplitudes: ArrayLike, c: NDArray[Any]) -> NDArray[np.complex128]:
+    """Amplitudes that broadcast with the coefficients."""
+    b = np.stack(checked_amplitudes(amplitudes, flow.n, missing=True), axis=-1)
+    try:
+        np.broadcast_shapes(b.shape[:-1], c.shape[:-1])
+    except ValueError:
+        raise ValueError(
+            f"shapes that do not broadcast together: amplitudes {b.shape[:-1]} without their last "
+            f"axis, parameters {c.shape[:-1]}"
+        ) from None
+    return b
+
+
+def _missing(b: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which points are not there."""
+    return np.asarray(np.isnan(b).any(axis=-1))
+
+
+def drift_of(flow: Flow, c: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64]:
+    """Rates along the symmetries that leave least of the motion, shape (..., symmetries).
+
+    At an equilibrium nothing is left. With the speed F_j and the directions i k_j B_j these are the
+    solution of a linear problem of least squares; a symmetry that does not move the point has the
+    rate zero.
+    """
+    k = np.array(flow.symmetries, dtype=np.float64).reshape(-1, flow.n)
+    speed = rates(flow, c, b)
+    b = np.broadcast_to(b, speed.shape)
+    normal = np.einsum("aj,bj,...j->...ab", k, k, np.abs(b) ** 2)
+    right = np.einsum("aj,...j->...a", k, (b.conj() * speed).imag)
+    known = np.asarray(np.isfinite(normal).all(axis=(-2, -1)) & np.isfinite(right).all(axis=-1))
+    inverse = np.linalg.pinv(np.where(known[..., None, None], normal, 0.0), hermitian=True)
+    found = np.einsum("...ab,...b->...a", inverse, np.where(known[..., None], right, 0.0))
+    return np.where(known[..., None], found, np.nan)
+
+
+def jacobian_at(
+    flow: Flow, kernel: Kernel, arguments: Arguments, amplitudes: ArrayLike
+) -> NDArray[np.float64]:
+    """The Jacobian of the Cartesian slow flow, in a frame that drifts with the point.
+
+    Parameters
+    ----------
+    flow : Flow
+    kernel : callable
+        Fills the coefficients of its terms.
+    arguments : sequence of numpy.ndarray
+        What it takes.
+    amplitudes : array_like
+        Shape (..., n); NaN gives NaN.
+
+    Returns
+    -------
+    numpy.ndarray
+        Shape (..., 2n, 2n), rows and columns u_1, v_1, u_2, … with B_j = (u_j + i v_j)/2; NaN
+        where a coefficient is not finite.
+    """
+    with np.errstate(all="ignore"):
+        c = coefficients_at(flow, kernel, arguments)
+        b = _points(flow, amplitudes, c)
+        drift = drift_of(flow, c, b) if flow.symmetries else None
+        found = jacobian(flow, c, b, drift)
+    lost = _missing(b) | ~np.isfinite(c).all(axis=-1)
+    return np.where(lost[..., None, None], np.nan, found)
+
+
+def stability_at(
+    flow: Flow, kernel: Kernel, arguments: Arguments, amplitudes: ArrayLike
+) -> NDArray[np.complex128]:
+    """Eigenvalues of the Jacobian, the largest real part first.
+
+    Parameters
+    ----------
+    flow, kernel, arguments, amplitudes
+        As for `jacobian_at`.
+
+    Returns
+    -------
+    numpy.ndarray
+        Complex, shape (..., 2n); those that a symmetry makes zero are NaN, at the end.
+    """
+    with np.errstate(all="ignore"):
+        c = coefficients_at(flow, kernel, arguments)
+        b = _points(flow, amplitudes, c)
+        drift = drift_of(flow, c, b) if flow.symmetries else None
+        lost = _missing(b)[..., None]
+        found = spectrum(flow, c, np.where(lost, 1.0, b), drift)
+    return np.where(lost, complex(np.nan, np.nan), found)
+
+
+# --- curves ---------------------------------------------------------------------------------------
+
+
+def backbone_at(
+    kernel: Kernel, amplitude: ArrayLike, arguments: Arguments, names: Sequence[str]
+) -> Any:
+    """A formula in the real amplitude; with names also its derivatives.
+
+    Parameters
+    ----------
+    kernel : callable
+        Of the amplitude and the arguments.
+    amplitude : array_like
+        Not negative.
+    arguments : sequence of numpy.ndarray
+    names : sequence of str
+        Of the arguments; empty where no derivatives are wanted.
+
+    Raises
+    ------
+    ValueError
+        If the amplitude is not a finite real number, or negative, or the shapes do not broadcast.
+    """
+    a = np.asarray(amplitude)
+    if a.dtype.kind not in "iuf" or not np.isfinite(a).all() or (a < 0.0).any():
+        raise ValueError(f"the amplitude must be finite and not negative, got {amplitude!r}")
+    a = a.astype(np.float64, copy=False)
+    try:
+        np.broadcast_shapes(a.shape, *(x.shape for x in arguments))
+    except ValueError:
+        shapes = ", ".join(str(x.shape) for x in arguments)
+        raise ValueError(
+            f"shapes that do not broadcast together: the amplitude {a.shape}, parameters {shapes}"
+        ) from None
+    return real_at(evaluate, kernel, [a, *arguments], names)
+
+
+def response_along(
+    flow: Flow, kernel: Kernel, arguments: Arguments, names: Sequence[str], over: str
+) -> Response:
+    """All equilibria along one parameter, as curves, with their bifurcations.
+
+    Parameters
+    ----------
+    flow, kernel, arguments
+        As for `jacobian_at`.
+    names : sequence of str
+        Of the arguments.
+    over : str
+        Which of them varies.
+
+    Raises
+    ------
+    ValueError
+        If it is unknown, its values are not an array of one dimension, or another one is an array.
+    """
+    if over not in names:
+        raise ValueError(f"over must be one of {', '.join(names)}, got {over!r}")
+    place = list(names).index(over)
+    values = arguments[place]
+    if values.ndim != 1:
+        raise ValueError(
+            f"{over}, which varies, must be an array of one dimension, got the shape {values.shape}"
+        )
+    for name, array in zip(names, arguments, strict=True):
+        if name != over and array.size != 1:
+            raise ValueError(
+                f"only {over} may be an array, got the shape {array.shape} for {name}; give over= "
+                "the name of the one that varies"
+            )
+    fixed = [a if k == place else a.reshape(()) for k, a in enumerate(arguments)]
+
+    def coefficients(p: Any) -> NDArray[np.complex128]:
+        own = [*fixed[:place], np.asarray(p, dtype=np.float64), *fixed[place + 1 :]]
+        return coefficients_at(flow, kernel, own)
+
+    with np.errstate(all="ignore"):
+        return response_of(flow, coefficients, values, name=over)
+
+
+# --- equilibria, and how they move with the parameters --------------------------------------------
+
+
+def equilibria_at(
+    solve: Callable[[Flow, Any], Equilibria],
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    names: Sequence[str],
+) -> Any:
+    """All equilibria; with names also their derivatives.
+
+    Parameters
+    ----------
+    solve : callable
+        Terms and coefficients → equilibria.
+    flow, kernel, arguments
+        As for `jacobian_at`.
+    names : sequence of str
+        Of the arguments; empty where no derivatives are wanted.
+
+    Returns
+    -------
+    Equilibria, or (Equilibria, dict)
+        The dictionary is name → `Slopes`.
+    """
+    with np.errstate(all="ignore"):
+        found = solve(flow, coefficients_at(flow, kernel, arguments))
+    if not names:
+        return found
+    return found, slopes_of(flow, kernel, arguments, names, found.amplitudes, found.drift)
+
+
+def slopes_of(
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    names: Sequence[str],
+    amplitudes: NDArray[np.complex128],
+    drift: NDArray[np.float64],
+) -> dict[str, Slopes]:
+    """Derivatives of equilibria by every parameter, from the theorem on implicit functions.
+
+    The equations F(B, p) = i kρB are differentiated, and so are the phases that are fixed.
+
+    Parameters
+    ----------
+    flow, kernel, arguments
+        As for `jacobian_at`.
+    names : sequence of str
+        Of the arguments.
+    amplitudes : numpy.ndarray
+        Equilibria, shape (..., k, n), the leading axes those of the arguments.
+    drift : numpy.ndarray
+        Shape (..., k, symmetries).
+
+    Returns
+    -------
+    dict
+        Name → `Slopes`; without finite values where equilibria meet.
+    """
+    values, slopes = array_slopes(kernel, arguments, len(flow.terms))
+    c, dc = values[..., None, :], slopes[..., None, :]
+    with np.errstate(all="ignore"):
+        matrix = _bordered(flow, c, amplitudes, drift)
+        force = rates(flow, dc, amplitudes)  # (parameters, ..., k, n)
+        right = np.zeros((*force.shape[:-1], matrix.shape[-1]))
+        right[..., 0 : 2 * flow.n : 2] = -2.0 * force.real
+        right[..., 1 : 2 * flow.n : 2] = -2.0 * force.imag
+        inverse = _inverse(matrix)
+        moved = np.einsum("...ij,...j->...i", inverse, right)
+    speed = (moved[..., 0 : 2 * flow.n : 2] + 1j * moved[..., 1 : 2 * flow.n : 2]) / 2.0
+    return {name: Slopes(speed[i], moved[i, ..., 2 * flow.n :]) for i, name in enumerate(names)}
+
+
+def _inverse(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Inverses, NaN where there is none."""
+    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
+    unit = np.eye(matrices.shape[-1])
+    plain = np.where(finite[..., None, None], matrices, unit)
+    regular = np.asarray(finite & (np.linalg.slogdet(plain)[0] != 0.0))
+    found = np.linalg.inv(np.where(regular[..., None, None], plain, unit))
+    return np.where(regular[..., None, None], found, np.nan)
+
+
+def _bordered(
+    flow: Flow, c: NDArray[Any], b: NDArray[np.complex128], drift: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The Jacobian by u_1, v_1, … and ρ_1, …, with a row for each phase that is fixed."""
+    n, g = flow.n, len(flow.symmetries)
+    inner = jacobian(flow, c, b, drift if g else None)
+    inner = np.where(_missing(b)[..., None, None], np.nan, inner)
+    if not g:
+        return inner
+    whole = np.zeros((*inner.shape[:-2], 2 * n + g, 2 * n + g))
+    whole[..., : 2 * n, : 2 * n] = inner
+    for a, k in enumerate(flow.symmetries):
+        direction = -2j * np.array(k) * b
+        whole[..., 0 : 2 * n : 2, 2 * n + a] = direction.real
+        whole[..., 1 : 2 * n : 2, 2 * n + a] = direction.imag
+    active = np.abs(b) > 0.0
+    flat, rows = whole.reshape(-1, 2 * n + g, 2 * n + g), active.reshape(-1, n)
+    for pattern in np.unique(rows, axis=0):
+        flat[(rows == pattern).all(axis=1), 2 * n :] = _phase_rows(flow, pattern)
+    return flat.reshape(whole.shape)
+
+
+def _phase_rows(flow: Flow, active: NDArray[np.bool_]) -> NDArray[np.float64]:
+    """Which phases are fixed: of the first amplitudes that the symmetries turn independently.
+
+    A combination of symmetries that does not move the point has the rate zero.
+    """
+    n, k = flow.n, np.array(flow.symmetries, dtype=np.float64) * active
+    pivots: list[int] = []
+    for j in range(n):
+        if np.linalg.matrix_rank(k[:, [*pivots, j]]) > len(pivots):
+            pivots.append(j)
+    found = np.zeros((len(k), 2 * n + len(k)))
+    found[range(len(pivots)), [2 * j + 1 for j in pivots]] = 1.0
+    found[len(pivots) :, 2 * n :] = np.linalg.svd(k.T)[2][len(pivots) :]
+    return found

@@ -1,0 +1,336 @@
+"""All equilibria of a slow flow of one amplitude, in batches.
+
+The elimination of the phase leaves a real polynomial in |B|, all positive roots of which are found;
+each gives its phases. Newton's method in the plane takes out the rounding of the elimination, and
+what does not satisfy the slow flow to rounding is dropped.
+"""
+
+from __future__ import annotations
+
+from math import gcd
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from ._elimination import Polynomial, Structure, harmonics, relation, structure_of
+from ._flow import Flow, wirtinger
+from ._records import Equilibria
+from ._roots import near_roots
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from numpy.typing import NDArray
+
+__all__ = ["equilibria_of_one"]
+
+EPS = 2.0**-52
+
+# Points that are solved together: their arrays stay in the cache.
+BLOCK = 2048
+
+# Extrema of the resultant that are relatively this small may be roots that its rounding hides.
+LOOSE = 1e-8
+
+# What is left of the rates at an equilibrium, relative to the sum of their terms' absolute values:
+# some dozen roundings. A fold that is missed by less than this counts as an equilibrium.
+RESIDUAL = 64.0 * EPS
+
+# Equilibria that are closer than this, relatively, are one: so are two that are a relative distance
+# of 1e-14 from the fold at which they meet.
+SAME = 1e-7
+
+# --- equilibria -----------------------------------------------------------------------------------
+
+
+class _Found(NamedTuple):
+    """Equilibria one after the other: their rows, B, drift and growth."""
+
+    row: NDArray[np.int64]
+    amplitude: NDArray[np.complex128]
+    drift: NDArray[np.float64]
+    growth: NDArray[np.float64]
+
+
+def equilibria_of_one(flow: Flow, coefficients: Any) -> Equilibria:
+    """All equilibria of a slow flow of one amplitude.
+
+    Parameters
+    ----------
+    flow : Flow
+        With n = 1.
+    coefficients : array_like
+        Shape (..., terms).
+
+    Returns
+    -------
+    Equilibria
+        Every isolated equilibrium, or circle of them where the flow has a symmetry: B = 0 where it
+        is one, and each of the m phases of a subharmonic. A double one, at a fold, is there once,
+        with a growth rate that is zero to within the square root of the precision. All NaN where
+        there is none, where a coefficient is not finite, and where the equilibria fill a curve.
+
+    Raises
+    ------
+    ValueError
+        If they fill a curve at every point of the batch.
+    """
+    c = np.asarray(coefficients, dtype=np.complex128)
+    lead, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
+    parts, filled = [], 0
+    for start in range(0, len(flat), BLOCK):
+        part = flat[start : start + BLOCK]
+        finite = np.flatnonzero(np.isfinite(part).all(axis=-1))
+        for pattern, rows in _patterns(part, finite):
+            structure = structure_of(flow, tuple(map(bool, pattern)))
+            with np.errstate(all="ignore"):
+                found, infinite = _solved(flow, structure, part[rows])
+            filled += infinite
+            parts.append(found._replace(row=rows[found.row] + start))
+    if filled and filled == len(flat):
+        raise ValueError(
+            "the equilibria of this slow flow are not isolated: they fill a curve, as all "
+            "amplitudes of an undamped free oscillator do; damping or forcing is missing, or the "
+            "backbone curve is what is looked for"
+        )
+    return _padded(parts, len(flat), len(flow.symmetries), lead)
+
+
+def _patterns(
+    c: NDArray[np.complex128], rows: NDArray[np.int64]
+) -> Iterator[tuple[NDArray[np.bool_], NDArray[np.int64]]]:
+    """Rows together whose terms vanish alike."""
+    while len(rows):
+        present = c[rows] != 0.0
+        same = (present == present[0]).all(axis=-1)
+        yield present[0], rows[same]
+        rows = rows[~same]
+
+
+def _padded(parts: list[_Found], count: int, symmetries: int, lead: tuple[int, ...]) -> Equilibria:
+    """Rectangular arrays, NaN at the end of each row."""
+    none = _Found(np.zeros(0, dtype=np.int64), np.zeros(0, complex), np.zeros(0), np.zeros(0))
+    row, b, rate, growing = (np.concatenate(p) for p in zip(none, *parts, strict=True))
+    order = np.argsort(row, kind="stable")
+    row = row[order]
+    number = np.bincount(row, minlength=count)
+    width = int(number.max(initial=0))
+    place = np.arange(len(row)) - (np.cumsum(number) - number)[row]
+    amplitudes = np.full((count, width, 1), complex(np.nan, np.nan))
+    drift, growth = np.full((count, width, symmetries), np.nan), np.full((count, width), np.nan)
+    amplitudes[row, place, 0], growth[row, place] = b[order], growing[order]
+    if symmetries:
+        drift[row, place, 0] = rate[order]
+    return Equilibria(
+        amplitudes.reshape(*lead, width, 1),
+        drift.reshape(*lead, width, symmetries),
+        growth.reshape(*lead, width),
+    )
+
+
+def _solved(flow: Flow, structure: Structure, c: NDArray[np.complex128]) -> tuple[_Found, int]:
+    """The equilibria of some points, and at how many points they fill a curve."""
+    eliminated = relation(structure, c)
+    filled = ~np.any([x != 0.0 for x in eliminated.values()], axis=0) & np.ones(len(c), dtype=bool)
+    row, r = _moduli(eliminated, len(c), 0.0 if structure.circle else LOOSE)
+    if structure.degree:
+        row, r, w = _phases(structure, c, row, r)
+        point = _polished(structure, c, row, r, np.angle(w))
+    else:
+        point = _Point(row, r, np.zeros_like(r), _sums(structure, c[row], r, np.ones_like(r)))
+    drift, growth = _stability(structure, point)
+    row, b, drift, growth = _every_phase(structure, point, drift, growth)
+    zero = np.flatnonzero(~filled & _zero_is_one(flow, c))
+    plain, barred = wirtinger(flow, c[zero], np.zeros((len(zero), 1)))
+    plain, barred = plain[:, 0, 0], barred[:, 0, 0]
+    own = _largest(2.0 * plain.real, np.abs(plain) ** 2 - np.abs(barred) ** 2)
+    if structure.circle:
+        own = plain.real
+    row, b = np.concatenate((zero, row)), np.concatenate((np.zeros(len(zero), complex), b))
+    drift = np.concatenate((np.zeros(len(zero)), drift))
+    growth = np.concatenate((own, growth))
+    order = np.argsort(row, kind="stable")
+    return _Found(row[order], b[order], drift[order], growth[order]), int(filled.sum())
+
+
+def _zero_is_one(flow: Flow, c: NDArray[np.complex128]) -> NDArray[np.bool_]:
+    """Where B = 0 is an equilibrium: no force that is left there."""
+    at_zero = [i for i, (_, e) in enumerate(flow.terms) if sum(e) <= 0]
+    return np.asarray((c[:, at_zero] == 0.0).all(axis=-1))
+
+
+def _moduli(
+    polynomial: Polynomial, count: int, loose: float
+) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Rows and candidates for r."""
+    exponents = sorted(polynomial)
+    step = gcd(*(e - exponents[0] for e in exponents)) or 1
+    table = np.zeros((count, (exponents[-1] - exponents[0]) // step + 1 if exponents else 1))
+    for e in exponents:
+        table[:, (e - exponents[0]) // step] = polynomial[e]
+    roots, extrema = near_roots(table, loose)
+    row, place = np.nonzero(np.isfinite(roots))
+    found = roots[row, place]
+    if loose:
+        # From both sides of an extremum: two roots may be there, or a double one.
+        more, place = np.nonzero(np.isfinite(extrema))
+        x = extrema[more, place]
+        own = table[more]
+        powers = np.arange(table.shape[1])
+        terms = own * x[:, None] ** powers
+        bend = np.abs((terms * (powers * (powers - 1.0))).sum(axis=-1)) / 2.0
+        gap = np.abs(terms.sum(axis=-1)) + EPS * np.abs(terms).sum(axis=-1)
+        side = np.clip(np.sqrt(gap / bend), 1e-7, 1e-2)
+        row = np.concatenate((row, more, more))
+        found = np.concatenate((found, x * (1.0 - side), x * (1.0 + side)))
+    return row, found ** (1.0 / step)
+
+
+class _Sums(NamedTuple):
+    """P = Σ f_k w^k at some points; its derivatives by ln r and by the angle of w; sizes."""
+
+    value: NDArray[np.complex128]
+    radial: NDArray[np.complex128]
+    angular: NDArray[np.complex128]
+    size: NDArray[np.float64]
+
+    def at(self, index: NDArray[np.int64]) -> _Sums:
+        """Some of the points."""
+        return _Sums(self.value[index], self.radial[index], self.angular[index], self.size[index])
+
+
+def _sums(structure: Structure, c: NDArray[np.complex128], r: NDArray[np.float64], w: Any) -> _Sums:
+    value, slope, size = harmonics(structure, c, r)
+    total, radial, angular, turn = value[0], slope[0], 0.0 * value[0], w
+    for k in range(1, structure.degree + 1):
+        term = value[k] * turn
+        total, radial, angular = total + term, radial + slope[k] * turn, angular + (1j * k) * term
+        turn = turn * w
+    return _Sums(total, radial, angular, sum(size))
+
+
+class _Point(NamedTuple):
+    """Candidates in polar form, w = e^{iθ}, and the sums there."""
+
+    row: NDArray[np.int64]
+    r: NDArray[np.float64]
+    angle: NDArray[np.float64]
+    sums: _Sums
+
+
+def _phases(
+    structure: Structure,
+    c: NDArray[np.complex128],
+    row: NDArray[np.int64],
+    r: NDArray[np.float64],
+) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.complex128]]:
+    """Candidates for r with those for w, near the unit circle."""
+    f, _, size = harmonics(structure, c[row], r)
+    if structure.degree == 1:
+        w = -f[0] / f[1]
+    elif structure.degree == 2:
+        x = np.abs(f[0]) ** 2 - np.abs(f[2]) ** 2
+        y = f[0].conj() * f[1] - f[2] * f[1].conj()
+        w = -x / y
+        # Both vanish where a pair of phases belongs to one r.
+        both = np.flatnonzero(np.abs(y) <= 1e-3 * (size[0] + size[2]) * size[1])
+        a, b, e = f[2][both], f[1][both], f[0][both]
+        root = np.sqrt(b * b - 4.0 * a * e)
+        root = np.where((b.conj() * root).real < 0.0, -root, root)
+        q = -0.5 * (b + root)
+        w = np.concatenate((w, q / a, e / q))
+        row, r = np.concatenate((row, row[both], row[both])), np.concatenate((r, r[both], r[both]))
+    else:
+        d = structure.degree
+        matrices = np.zeros((len(r), d, d), dtype=np.complex128)
+        matrices[:, 1:, :-1] = np.eye(d - 1)
+        matrices[:, :, -1] = -np.stack([x / f[d] for x in f[:d]], axis=-1)
+        usable = np.isfinite(matrices).all(axis=(-2, -1))
+        row, r = np.repeat(row[usable], d), np.repeat(r[usable], d)
+        w = np.linalg.eigvals(matrices[usable]).ravel()
+    near = np.abs(np.abs(w) - 1.0) < 0.1  # false for NaN
+    return row[near], r[near], w[near]
+
+
+def _polished(
+    structure: Structure,
+    c: NDArray[np.complex128],
+    row: NDArray[np.int64],
+    r: NDArray[np.float64],
+    angle: NDArray[np.float64],
+) -> _Point:
+    """Newton's method in ln r and the angle; drops what is no equilibrium, or there twice."""
+    own, r, angle = c[row], r.copy(), angle.copy()
+    going: Any = slice(None)
+    for _ in range(16):
+        s = _sums(structure, own[going], r[going], np.exp(1j * angle[going]))
+        det = s.radial.real * s.angular.imag - s.radial.imag * s.angular.real
+        det = np.where(det == 0.0, np.inf, det)
+        out = (s.value.imag * s.angular.real - s.value.real * s.angular.imag) / det
+        turn = (s.value.real * s.radial.imag - s.value.imag * s.radial.real) / det
+        length = np.maximum(np.abs(out), np.abs(turn))
+        short = np.minimum(1.0, 0.1 / np.maximum(length, 1e-300))
+        r[going] *= np.exp(short * out)
+        angle[going] += short * turn
+        going = np.arange(len(r))[going][length > 1e-9]
+        if not len(going):
+            break
+    s = _sums(structure, own, r, np.exp(1j * angle))
+    good = np.abs(s.value) <= RESIDUAL * s.size
+    order = np.flatnonzero(good)
+    order = order[np.lexsort((r[order], row[order]))]
+    row, r, angle = row[order], r[order], angle[order]
+    kept = np.ones(len(row), dtype=bool)
+    for shift in range(1, min(6, len(row))):
+        near = (r[shift:] - r[:-shift] <= SAME * r[shift:]) & (row[shift:] == row[:-shift])
+        later = np.flatnonzero(near) + shift
+        turned = np.abs(np.exp(1j * (angle[later] - angle[later - shift])) - 1.0)
+        later = later[turned <= SAME]
+        kept[later] &= ~kept[later - shift]
+    order = order[kept]
+    return _Point(row[kept], r[kept], angle[kept], s.at(order))
+
+
+def _largest(trace: Any, determinant: Any) -> Any:
+    """The largest real part of the eigenvalues of a real 2 × 2 matrix."""
+    half = 0.5 * trace
+    root = np.sqrt(np.maximum(half * half - determinant, 0.0))
+    # Without cancellation where the determinant is small and the trace negative.
+    return np.where((half < 0.0) & (root > 0.0), determinant / (half - root), half + root)
+
+
+def _stability(
+    structure: Structure, point: _Point
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Drift and growth rate: eigenvalues of the Jacobian of d(ln r)/dt and dγ/dt."""
+    _, r, angle, s = point
+    scale = r ** float(structure.common - 1)
+    if structure.circle:
+        return scale * s.value.imag, scale * s.radial.real
+    factor = scale * np.exp((1j * structure.lowest / structure.fold) * angle)
+    radial, angular = factor * s.radial, (structure.fold * factor) * s.angular
+    trace = radial.real + angular.imag
+    size = scale * s.size * (1 + max((p + structure.fold * k for _, k, p in structure.terms)))
+    trace = np.where(np.abs(trace) <= 4.0 * EPS * size, 0.0, trace)
+    determinant = radial.real * angular.imag - radial.imag * angular.real
+    return np.zeros_like(r), _largest(trace, determinant)
+
+
+def _every_phase(
+    structure: Structure, point: _Point, drift: Any, growth: Any
+) -> tuple[Any, Any, Any, Any]:
+    """Each of the m phases, in increasing order of |B| and then of the phase in [0, 2π)."""
+    row, r, angle, _ = point
+    m = structure.fold if structure.degree else 1
+    phase = (angle[:, None] + 2.0 * np.pi * np.arange(m)) / m
+    phase = np.mod(phase, 2.0 * np.pi).ravel()
+    phase[phase > 2.0 * np.pi - 1e-9] = 0.0
+    row, r = np.repeat(row, m), np.repeat(r, m)
+    drift, growth = np.repeat(drift, m), np.repeat(growth, m)
+    # Moduli that differ by rounding alone, as those of mirror images, leave the order to the phase.
+    order = np.lexsort((r, row))
+    fresh = np.ones(len(row), dtype=bool)
+    fresh[1:] = (np.diff(row[order]) != 0) | (np.diff(r[order]) > 1e-9 * r[order][1:])
+    order = order[np.lexsort((phase[order], np.cumsum(fresh)))]
+    b = r * np.exp(1j * phase) if structure.degree else r.astype(np.complex128)
+    return row[order], b[order], drift[order], growth[order]
