@@ -284,6 +284,43 @@ def test_transcritical_point() -> None:
     assert response.bifurcations[0].parameter == pytest.approx(0.0, abs=1e-14)
 
 
+def test_a_closed_branch_between_two_sections() -> None:
+    """Mathieu–Duffing with a force f(s) that exceeds 2μ for a moment: a² of both signs of the root.
+
+    They meet where f = 2μ, at s = ±w√(ln 1.1); with w = 0.0123 seven of 2001 values lie between.
+    """
+
+    def coefficients(s: Any) -> np.ndarray:
+        f = 0.11 * np.exp(-((np.asarray(s) / 0.0123) ** 2))
+        return columns(0.5j * f, -0.05 - 0.25j, 0.75j)
+
+    flow = of_one((0, 1), (1, 0), (2, 1))
+    p = np.linspace(-1, 1, 2001)
+    response = response_of(flow, coefficients, p)
+    check_every_point(flow, coefficients, response)
+    _, closed = response.branches
+    end = 0.0123 * np.sqrt(np.log(1.1))
+    # From the equation s² = …: p is as good as the rounding over its slope there, 1e-14.
+    assert [b.parameter for b in response.bifurcations] == pytest.approx([-end, end], abs=1e-13)
+    assert kinds(response) == ["saddle-node"] * 2
+    # The first point is the last one as well.
+    assert len(closed.parameter) == 2 * 7 + 2 + 1
+    assert closed.parameter[0] == closed.parameter[-1]
+    assert closed.amplitudes[0] == pytest.approx(closed.amplitudes[-1], abs=1e-14)
+
+
+def test_two_opposite_real_eigenvalues_are_no_hopf_point() -> None:
+    """B' = sB + B̄/2 + 0.1: the eigenvalues are s ± ½, a saddle between −½ and ½."""
+
+    def coefficients(s: Any) -> np.ndarray:
+        return columns(0.1, 0.5, np.asarray(s))
+
+    flow = of_one((0, 0), (0, 1), (1, 0))
+    response = response_of(flow, coefficients, np.linspace(-0.3, 0.3, 62))
+    check_every_point(flow, coefficients, response)
+    assert response.bifurcations == ()
+
+
 def test_a_fold_just_outside_is_none() -> None:
     """The curve leaves the range, turns, and comes back within one step of those who follow it."""
     flow = of_one((0, 0), (1, 0), (2, 1))

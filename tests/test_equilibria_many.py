@@ -24,6 +24,7 @@ from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
 from mmsgen.runtime._certificates import certified
+from mmsgen.runtime._charts import chart, equations, unpack
 from mmsgen.runtime._flow import Flow, rates
 from mmsgen.runtime._many_amplitudes import equilibria_of_many, generic_counts
 from mmsgen.runtime._systems import System, equilibrium_system, patterns
@@ -209,6 +210,41 @@ def test_two_symmetries() -> None:
     assert certified(flow, c, wrong).tolist() == [True, False, False, False]
     # Of the moduli the Jacobian at the last one is −(4/3)·[[1, ½], [½, 1]].
     assert found.growth[3] == pytest.approx(-2 / 3, abs=1e-12)
+
+
+def test_a_point_of_each_circle() -> None:
+    """1:2 with the fast one excited; a turn by π of the slow one leaves the fast one as it is.
+
+    So where the fast one comes first, its phase leaves two points of each circle to choose from.
+    """
+    slow_first = table([*DAMPED, *QUADRATIC], ((1, 2),))
+    fast_first = table(
+        [(0, 1, 0, 0, 0), (1, 0, 0, 1, 0), (0, 0, 0, 2, 0), (1, 1, 0, 0, 1)], ((2, 1),)
+    )
+    slow, fast, one, two = -0.1, 0.05 + 0.2j, 0.5j, 0.25j
+    found = equilibria_of_many(slow_first, [slow, fast, one, two])
+    swapped = equilibria_of_many(fast_first, [fast, slow, two, one])
+    assert found.number == swapped.number == 2
+    # Newton's method at conditions of some hundreds.
+    assert swapped.modulus[:, ::-1] == pytest.approx(found.modulus, abs=1e-12)
+    assert swapped.drift == pytest.approx(found.drift, abs=1e-12)
+    assert swapped.growth == pytest.approx(found.growth, abs=1e-12)
+    mirrored = equilibria_of_many(fast_first, np.conj([fast, slow, two, one]))
+    for b in (swapped.amplitudes[1], mirrored.amplitudes[1]):
+        assert b[0].imag == 0.0 < b[0].real
+        assert 0.0 <= np.angle(b[1]) < np.pi
+
+
+def test_derivatives_by_the_rate_of_drift() -> None:
+    """Central differences of quadratic functions are exact but for their roundings, 1e-16/h."""
+    flow = table([*DAMPED, *QUADRATIC], ((1, 2),))
+    place, h = chart(flow, (0, 1)), 1e-3
+    c = np.array([[-0.1, 0.05 + 0.2j, 0.5j, -0.25j]])
+    x = np.array([[0.7, 0.3, -0.4, 0.9]])
+    _, matrix = equations(place, c, *unpack(place, x))
+    for k, step in enumerate(h * np.eye(4)):
+        sides = [equations(place, c, *unpack(place, x + s * step))[0][0] for s in (1, -1)]
+        assert matrix[0, :, k] == pytest.approx((sides[0] - sides[1]) / (2 * h), abs=1e-12)
 
 
 def test_odd_powers_of_a_modulus() -> None:
