@@ -54,6 +54,24 @@ def test_frequency_against_the_elliptic_integral(order: int) -> None:
     assert -error / (following * float(y) ** (order + 1)) == pytest.approx(1, abs=0.05)
 
 
+def test_emitted_backbones_in_print() -> None:
+    """Nayfeh and Mook, chapters 2 and 4; rounding of a few dozen operations."""
+    a = np.array([0.0, 0.3, 0.7])
+    case = emitted("duffing", "nonresonant_order_4")
+    y = 0.9 * a**2 / 1.7**2
+    series = 3 * y / 8 - 15 * y**2 / 256 + 123 * y**3 / 8192 - 921 * y**4 / 262144
+    assert case.backbone(a, omega_0=1.7, alpha=0.9) == pytest.approx(1.7 * series, rel=1e-13)
+    case = emitted("helmholtz_duffing", "nonresonant_order_2")
+    printed = (9 * -0.4 * 1.7**2 - 10 * 0.9**2) * a**2 / (24 * 1.7**3)
+    found = case.backbone(a, omega_0=1.7, alpha_2=0.9, alpha_3=-0.4)
+    assert found == pytest.approx(printed, rel=1e-13)
+    case = emitted("duffing_forced", "Omega_is_three_omega_0_order_1")
+    drift = -8.0 / (16 * 1.7**2)  # Λ
+    printed = 9 * 0.9 * (drift**2 + a**2 / 8) / 1.7
+    numbers = {"omega_0": 1.7, "alpha": 0.9, "K": 8.0}
+    assert case.backbone(a, mu=0.1, **numbers) == pytest.approx(printed, rel=1e-13)
+
+
 def test_certificates_of_the_other_oscillators() -> None:
     found = certificates("helmholtz_duffing")
     assert sorted(found) == ["nonresonant_order_2", "nonresonant_order_4"]

@@ -78,6 +78,8 @@ def test_points_lie_evenly_on_all_branches_but_not_at_rest() -> None:
     ]
     # the points of the branch are 1/40 apart in the parameter and at most 0.15 along it
     assert max(steps) < 2 * min(steps) + 0.15
+    # from one end to the other: half a step, of 1.8/9 at most, is left on either side
+    assert points[0].parameter < SIGMAS[0] + 0.1 and points[-1].parameter > SIGMAS[-1] - 0.1
     for parameter, (a,), _ in points:
         own = np.interp(parameter, SIGMAS, branch.modulus[:, 0])
         # order 2 errs by some ε² of a, ε = 0.1
