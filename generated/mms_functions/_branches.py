@@ -82,6 +82,18 @@ def response_of(
     p, c = p[finite], c[finite]
     if not len(p):
         return Response(name, (), ())
+    with np.errstate(all="ignore"):
+        return _followed(flow, numbers, p, c, name)
+
+
+def _followed(
+    flow: Flow,
+    numbers: Callable[[Any], NDArray[np.complex128]],
+    p: NDArray[np.float64],
+    c: NDArray[np.complex128],
+    name: str,
+) -> Response:
+    """The response at ascending values and the coefficients there."""
     sections, found = _sections(flow, p, c)
     parts = nets(flow, numbers, p[sections], found)
     raw: list[_Raw] = []

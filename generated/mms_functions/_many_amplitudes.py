@@ -77,9 +77,10 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     shape, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
     finite = np.flatnonzero(np.isfinite(flat).all(axis=-1))
     found = []
-    for rows, own, columns in _groups(flow, flat, finite):
-        for active in patterns(own):
-            found.append(_with_active(own, active, flat[:, columns], rows))
+    with np.errstate(all="ignore"):
+        for rows, own, columns in _groups(flow, flat, finite):
+            for active in patterns(own):
+                found.append(_with_active(own, active, flat[:, columns], rows))
     g = len(flow.symmetries)
     found.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
     rows, b, drift = (np.concatenate(x) for x in zip(*found, strict=True))
