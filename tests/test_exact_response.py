@@ -52,6 +52,16 @@ def test_a_limit_cycle_turns_with_its_drift() -> None:
     assert near.stable
 
 
+def test_a_limit_cycle_far_from_small_parameters_is_one_all_the_same() -> None:
+    left = -mu * (d(x) - d(x) ** 3 / 3)
+    case = oscillator(left, sp.Integer(1)).scale({mu: 1}).expand(4)
+    found = case.slow_flow.equilibria({"mu": 2.0})
+    near = mg.orbit_near(case, {"mu": 2.0}, found.amplitudes[1], found.drift[1])
+    # The slow flow's frequency is less than half of the exact one here.
+    assert 1 + found.drift[1, 0] < np.pi / near.orbit.period
+    assert near.amplitudes == [near.orbit.amplitude(0, 1)]
+
+
 def test_a_superharmonic_is_told_by_the_harmonic_of_its_own() -> None:
     left = 2 * mu * d(x) + alpha * x**2 - f * sp.cos(Omega * t)
     case = oscillator(left).scale({mu: 1, alpha: 1}).expand(2, {2 * Omega: omega})

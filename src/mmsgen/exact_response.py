@@ -111,7 +111,8 @@ def orbit_near(
         rates = np.asarray(drift, dtype=float)
     state = SteadyState(b, rates @ symmetries, slow, exact, reconstruction(case, slow))
     orbit = exact_orbit(case, state)
-    turns = np.abs(state.rates) * orbit.period / (2 * np.pi)
+    # The orbit's own frequency may be far from that of the slow flow, whose ratios are exact.
+    turns = np.abs(state.rates) / state.frequency(orbit.problem.base)[0]
     # A coordinate at rest may have a frequency that the motion of the others does not have.
     numbers = [round(x) if abs(x - round(x)) < WHOLE else None for x in turns]
     own = np.array([0.0 if k is None else orbit.amplitude(j, k) for j, k in enumerate(numbers)])
