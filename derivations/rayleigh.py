@@ -8,6 +8,7 @@
 
 # %%
 import matplotlib.pyplot as plt
+import numpy as np
 import sympy as sp
 from IPython.display import Markdown, Math, display
 from sympy.physics.mechanics import dynamicsymbols
@@ -81,7 +82,33 @@ assert sum(velocity.coeff(mu, n) * mu**n for n in range(4)) == 2 + mu**2 / 64
 Math(rf"a = {sp.latex(size, order='rev-lex')},\quad \omega = {sp.latex(speed, order='rev-lex')}")
 
 # %% [markdown]
+# Over the strength of the self-excitation, at $\omega_0 = 1$ rad/s. Lines: the equilibrium of the
+# slow flow of each order, not expanded any further; points: exact periodic orbits.
+
+# %%
+strengths = {omega_0: 1.0, mu: np.linspace(0.01, 2, 200)}
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.6), layout="constrained")
+for place, (order, case) in enumerate(cases.items()):
+    _, cycles = case.slow_flow.frequency_response(strengths).branches  # rest is the first one
+    style = {"color": plotting.COLOURS[place], "ls": plotting.DASHES[place], "lw": 1.6}
+    left.plot(cycles.parameter, cycles.modulus, label=f"order {order}", **style)
+    right.plot(cycles.parameter, 1 + cycles.drift, **style)
+for k in range(9, len(cycles.parameter), 19):
+    here = {omega_0: 1.0, mu: cycles.parameter[k]}
+    near = mg.orbit_near(cases[4], here, cycles.amplitudes[k], cycles.drift[k])
+    assert near.stable
+    label = "periodic orbits" if k == 9 else None
+    left.plot(here[mu], near.amplitudes[0], "ko", ms=3.4, label=label)
+    right.plot(here[mu], 2 * np.pi / near.orbit.period, "ko", ms=3.4)
+left.set(xlabel="μ (1/s)", ylabel="amplitude of the fundamental (m)")
+right.set(xlabel="μ (1/s)", ylabel="frequency of the limit cycle (rad/s)")
+_ = left.legend(frameon=False, fontsize="small")
+
+# %% [markdown]
 # ## 4. Certificates
+#
+# Motions on the way to the limit cycle; and the limit cycle beside periodic orbits of the exact
+# equation: its amplitude, its frequency, and how fast disturbances of it die out.
 
 # %%
 emission = mg.Emission(
@@ -89,6 +116,7 @@ emission = mg.Emission(
     cases=list(cases.values()),
     samples=lambda case: {"omega_0": 1.2, "mu": 3.9},
     amplitudes=lambda case: ([0.3 + 0.2j], 0.6),
+    steady=lambda case: [mg.Steady({"omega_0": 1.2, "mu": 1.9}, [1 / 1.2])],
     derivation="derivations/rayleigh.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 3",
 )

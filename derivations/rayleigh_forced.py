@@ -11,14 +11,14 @@
 # %%
 import matplotlib.pyplot as plt
 import numpy as np
-import steady
 import sympy as sp
 from IPython.display import Markdown, display
+from many_motions import fundamental, integrate
 from sympy.physics.mechanics import dynamicsymbols
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.certify import scaled_values
+from mmsgen.motion import reconstruction
 from mmsgen.symbols import modulus
 
 # %% [markdown]
@@ -72,26 +72,36 @@ report.modulation(primary[1])
 
 # %%
 rho = sp.Symbol("rho", positive=True)
-sigma = primary[1].relations[0].detuning
-a = modulus(u)
+flow, sigma, a = primary[1].slow_flow, primary[1].relations[0].detuning, modulus(u)
 in_rho = {a: 2 * sp.sqrt(rho) / omega_0, K: mu * K, sigma: mu * sigma}
-printed = 4 * (rho * (1 - rho) ** 2 + 4 * sigma**2 * rho) / K**2
-found = steady.response(primary[1]).subs(in_rho, simultaneous=True)
-assert sp.cancel(found - printed) == 0
+
+
+def demand_proportional(found, printed):
+    """Both vanish together: their quotient is positive, of the units alone."""
+    quotient = sp.cancel(found.subs(in_rho, simultaneous=True) / printed)
+    assert quotient.is_positive and quotient.free_symbols <= {mu, omega_0}
+
+
+relation = flow.response_relation()
+demand_proportional(relation, rho * (1 - rho) ** 2 + 4 * sigma**2 * rho - K**2 / 4)
+report.expression("0", relation)
 
 # %% [markdown]
 # They are stable, so that the oscillator stays locked, where the trace $1 - 2\rho$ (times $\mu$)
 # is negative and the determinant (times $\mu^2$) is positive. Printed:
 #
 # $$\rho > \tfrac12, \qquad \tfrac14\left(1 - 4\rho + 3\rho^2\right) + \sigma^2 > 0 .$$
+#
+# On the edge of the first condition a Hopf bifurcation lets the oscillator beat again, on that of
+# the second one a locked motion meets an unstable one, and both are gone: a saddle-node.
 
 # %%
-stability = steady.determinant(primary[1]).subs(in_rho, simultaneous=True) / mu**2
-assert sp.cancel(stability - (1 - 4 * rho + 3 * rho**2) / 4 - sigma**2) == 0
-trace = sp.trace(primary[1].slow_flow.jacobian)
-x, y = primary[1].slow_flow.cartesian
-on_circle = sp.expand(trace).subs(x**2, a**2 - y**2).expand().subs(in_rho, simultaneous=True)
-assert sp.expand(on_circle / mu - (1 - 2 * rho)) == 0
+meeting = flow.bifurcation_equations()
+assert all(equations[0] == relation for equations in meeting.values())
+demand_proportional(meeting["Hopf"][1], 2 * rho - 1)
+demand_proportional(meeting["saddle-node"][1], (1 - 4 * rho + 3 * rho**2) / 4 + sigma**2)
+display(report.expression(r"\text{Hopf}:\quad 0", meeting["Hopf"][1]))
+report.expression(r"\text{saddle-node}:\quad 0", meeting["saddle-node"][1])
 
 # %% [markdown]
 # ## 4. Driven hard, far from resonance: quenching
@@ -123,42 +133,99 @@ report.solvability(quenching[2], 2)
 # %% [markdown]
 # ## 5. Locked motions of the exact equation
 #
-# Periodic motions of the unexpanded equation, by collocation (`derivations/steady.py`), beside the
-# steady states of the slow flow: the amplitude of order $N$ is off by $\varepsilon^N$.
+# $\omega_0 = 1$ rad/s, $\mu = 0.2$ 1/s. Left: order 1 for five forces; a weak one leaves an island
+# of locked motions about the amplitude 2, over a curve on which the mass is merely shaken, and
+# beats. Middle and right: two of the forces, with periodic orbits of the unexpanded equation,
+# stable ones filled.
 
 # %%
-LOCKED = {"omega_0": 1.0, "mu": 0.8, "K": 0.9, "sigma": 0.15}
-rows = []
-for halvings in range(3, 8):
-    pairs = []
-    for case in primary.values():
-        slow, _ = scaled_values(case, LOCKED, 0.5**halvings)
-        start = steady.equilibrium(case, slow, -1.1j)
-        pairs.append((2 * abs(start), steady.exact_amplitude(case, slow, start)))
-    differences = (f"{abs(found - exact):.1e}" for found, exact in pairs)
-    rows.append((f"1/{2**halvings}", f"{pairs[1][1]:.6f}", *differences))
-report.Table(("ε", "exact $a$ (m)", "order 1", "order 2"), tuple(rows))
+NUMBERS = {omega_0: 1.0, mu: 0.2}
+figure, panels = plt.subplots(1, 3, figsize=(10.4, 4.0), layout="constrained")
+for place, share in enumerate((1.4, 1.0, 0.77, 0.6, 0.4)):
+    here = {**NUMBERS, K: 0.2 * share, sigma: np.linspace(-0.12, 0.12, 241)}
+    plotting.frequency_response(
+        primary[1].slow_flow.frequency_response(here),
+        [f"K = {0.2 * share:.3g} m/s²"],
+        colour=place,
+        axes=panels[0],
+    )
+texts, handles = [], []
+for handle, text in zip(*panels[0].get_legend_handles_labels(), strict=True):
+    if "unstable" not in text:
+        handles, texts = [*handles, handle], [*texts, text]
+figure.legend(handles, texts, loc="outside lower left", ncols=2, frameon=False, fontsize="small")
+for axes, force in zip(panels[1:], (0.12, 0.28), strict=True):
+    here = {**NUMBERS, K: force, sigma: np.linspace(-0.2, 0.2, 401)}
+    for order, case in primary.items():
+        response = case.slow_flow.frequency_response(here)
+        points = mg.orbits_along(case, here, response, 28) if order == 2 else ()
+        plotting.frequency_response(
+            response, [f"order {order}"], points=points, colour=2 - order, axes=axes
+        )
+    axes.set_title(f"K = {force} m/s²")
+for axes in panels:
+    axes.get_legend().remove()
+    axes.set(xlabel="σ (rad/s)", ylabel="amplitude (m)")
+handles, texts = panels[1].get_legend_handles_labels()
+_ = figure.legend(
+    handles[:2] + handles[3:],
+    texts[:2] + texts[3:],
+    loc="outside lower right",
+    ncols=2,
+    frameon=False,
+    fontsize="small",
+)
 
 # %% [markdown]
-# The response of order 1, $\rho$ over $\sigma/\mu$ for forces $K/\mu$ from 0.4 to 1.4: stable
-# locked motions solid, unstable ones dashed.
+# The same for a hard force of $\Omega = 1.8$ rad/s. The oscillator's own oscillation stands beside
+# the forced one, and their frequencies have no simple ratio: that is no periodic orbit, but a
+# motion of two frequencies. So the exact equation is integrated from the motions that order 2 makes
+# of its equilibria, and the part near $\omega_0$ is read off. From the force on at which it is
+# quenched the motion is periodic; in the exact equation that is a Neimark–Sacker bifurcation of the
+# forced motion. Both orders have the same amplitude.
 
 # %%
-detunings, heights = np.meshgrid(np.linspace(-0.6, 0.6, 401), np.linspace(0.01, 1.6, 401))
-lines = heights * (1 - heights) ** 2 + 4 * detunings**2 * heights
-stable = (heights > 0.5) & ((1 - 4 * heights + 3 * heights**2) / 4 + detunings**2 > 0)
-figure, axes = plt.subplots(figsize=(5.6, 3.8), layout="constrained")
-forces = np.array([0.4, 0.6, 0.77, 1.0, 1.4])
-for mask, dash in ((~stable, "-"), (stable, "--")):
-    shown = np.ma.array(lines, mask=mask)
-    axes.contour(
-        detunings, heights, shown, forces**2 / 4, colors=plotting.COLOURS[:5], linestyles=dash
+hard_numbers = {**NUMBERS, Omega: 1.8}
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.8), layout="constrained")
+for order, case in quenching.items():
+    response = case.slow_flow.frequency_response({**hard_numbers, K: np.linspace(0.02, 2.2, 200)})
+    style = {"colour": 2 - order, "xlabel": "K (m/s²)", "ylabel": "amplitude at $\\omega_0$ (m)"}
+    plotting.frequency_response(response, [f"order {order}"], axes=left, **style)
+    _, own = response.branches  # rest, and the oscillator's own oscillation
+    speed = np.where(own.modulus > 0, 1 + own.drift, np.nan)
+    right.plot(own.parameter, speed, color=plotting.COLOURS[2 - order], lw=1.6)
+
+swinging = np.linspace(0.3, 1.65, 10)
+values = {str(symbol): number for symbol, number in hard_numbers.items()}
+starts = [
+    reconstruction(quenching[2], {**values, "K": force})(np.zeros(1), b[None, -1:])[:, 0]
+    for force, b in zip(
+        swinging,
+        quenching[2].slow_flow.equilibria({**hard_numbers, K: swinging}).amplitudes[:, -1],
+        strict=True,
     )
-axes.set(xlabel="σ/μ", ylabel="ρ")
-plt.show()
+]
+times = np.concatenate([[0.0], np.linspace(150, 400, 2501)])
+motions, _ = integrate(eom, {**values, "K": swinging}, np.stack(starts, axis=1), times)
+sizes, speeds = fundamental(times[1:], motions[:, 1:], 1.0, 0.1)
+left.plot(swinging, sizes, "ks", ms=3.4, label="time integration")
+right.plot(swinging, speeds, "ks", ms=3.4)
+
+forced = mg.orbit_near(quenching[2], {**hard_numbers, K: 2.2}, [0.0]).orbit
+assert forced.stable
+path = mg.orbits.follow(forced.problem, forced, K, 1.6)
+(quenched,) = path.specials
+assert quenched.kind == "Neimark-Sacker"
+left.plot(quenched.value, 0, "k^", ms=6, clip_on=False, label="exact Neimark–Sacker point")
+left.legend(frameon=False, fontsize="small")
+_ = right.set(xlabel="K (m/s²)", ylabel="frequency of that oscillation (rad/s)")
 
 # %% [markdown]
 # ## 6. Certificates
+#
+# Besides motions: locked motions beside periodic orbits, their amplitudes and how fast disturbances
+# die out, and the saddle-node at which a weaker force loses its hold; the motion that is forced
+# alone, and the decay or growth of the oscillator's own oscillation in it.
 
 
 # %%
@@ -169,11 +236,23 @@ def samples(case):
     return {name: value for name, value in values.items() if name in names}
 
 
+LOCKED = {"omega_0": 1.0, "mu": 0.8, "K": 0.9, "sigma": 0.15}
+FOLD = {"omega_0": 1.0, "mu": 0.8, "K": 0.6, "sigma": 0.153}
+
+
+def steady(case):
+    """Values at ε = 1, and amplitudes near those of order 1."""
+    if case in quenching.values():
+        return [mg.Steady(samples(case), [0.0])]
+    return [mg.Steady(LOCKED, [-0.88 - 0.74j]), mg.Steady(FOLD, [-0.94 + 0.2j], fold=True)]
+
+
 emission = mg.Emission(
     model="rayleigh_forced",
     cases=[*primary.values(), *quenching.values()],
     samples=samples,
     amplitudes=lambda case: ([-0.2 - 0.4j], 1.0),
+    steady=steady,
     derivation="derivations/rayleigh_forced.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4",
 )

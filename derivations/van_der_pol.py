@@ -14,7 +14,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sp
 from IPython.display import Markdown, Math, display
-from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
 from sympy.physics.mechanics import dynamicsymbols
 
 import mmsgen as mg
@@ -154,32 +154,22 @@ assert sp.expand((second - first - third).rewrite(sp.exp)) == 0
 # %% [markdown]
 # ## 6. The exact limit cycle
 #
-# Time integration of the exact equation until the limit cycle is reached, and then over one period.
-# What each series leaves, over the next power of $\mu$, tends to the next coefficient:
+# The periodic orbit of the exact equation near the limit cycle of order 4. What each series
+# leaves, over the next power of $\mu$, tends to the next coefficient:
 # $-\tfrac1{16}$ and $\tfrac{17}{3072}$ for the frequency, $\tfrac1{64}$ for the amplitude of the
 # fundamental, $\tfrac1{96}$ for the largest displacement.
 
 
 # %%
 def exact_cycle(strength):
-    """(frequency, amplitude of the fundamental, largest displacement) by time integration."""
-
-    def derivative(_, state):
-        x, v = state
-        return [v, strength * (1 - x * x) * v - x]
-
-    def top(_, state):
-        return state[1]
-
-    top.direction = -1
-    options = {"method": "DOP853", "rtol": 1e-12, "atol": 1e-13}
-    settled = solve_ivp(derivative, (0, 30 / strength), [2.0, 0.0], **options).y[:, -1]
-    run = solve_ivp(derivative, (0, 16), settled, events=top, dense_output=True, **options)
-    start, end = run.t_events[0][:2]
-    times = np.linspace(start, end, 257)[:-1]
-    motion = run.sol(times)[0]
-    fundamental = 2 * abs(np.fft.rfft(motion)[1]) / len(motion)
-    return 2 * np.pi / (end - start), fundamental, motion[0]
+    """(frequency, amplitude of the fundamental, largest displacement) of the periodic orbit."""
+    _, cycle = cases[4].slow_flow.equilibria({mu: strength}).amplitudes
+    near = mg.orbit_near(cases[4], {mu: strength}, cycle)
+    # The velocity vanishes once in this half of the period, which begins on the way up.
+    period, (up, *_) = near.orbit.period, np.flatnonzero(near.orbit.states[1] > 0)
+    start = near.orbit.times[up]
+    top = brentq(lambda time: near.orbit(time)[1], start, start + 0.5 * period)
+    return 2 * np.pi / period, near.amplitudes[0], near.orbit(top)[0]
 
 
 rows = []
@@ -204,9 +194,36 @@ report.Table(
 )
 
 # %% [markdown]
+# Far from small $\mu$ the orders part. Lines: the limit cycle that is an equilibrium of the slow
+# flow of each order, not expanded any further; points: exact periodic orbits.
+
+# %%
+strengths = {mu: np.linspace(0.01, 2, 200)}
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.6), layout="constrained")
+for place, (order, case) in enumerate(cases.items()):
+    response = case.slow_flow.frequency_response(strengths)
+    _, cycles = response.branches  # rest, and the limit cycle
+    style = {"color": plotting.COLOURS[place], "ls": plotting.DASHES[place], "lw": 1.6}
+    left.plot(cycles.parameter, cycles.modulus, label=f"order {order}", **style)
+    right.plot(cycles.parameter, 1 + cycles.drift, **style)
+for k in range(9, len(cycles.parameter), 19):
+    strength = cycles.parameter[k]
+    near = mg.orbit_near(cases[4], {mu: strength}, cycles.amplitudes[k], cycles.drift[k])
+    assert near.stable
+    speed = 2 * np.pi / near.orbit.period
+    for axes, value in ((left, near.amplitudes[0]), (right, speed)):
+        label = "periodic orbits" if axes is left and k == 9 else None
+        axes.plot(strength, value, "ko", ms=3.4, label=label)
+left.set(xlabel="μ", ylabel="amplitude of the fundamental")
+right.set(xlabel="μ", ylabel="frequency of the limit cycle")
+_ = left.legend(frameon=False, fontsize="small")
+
+# %% [markdown]
 # ## 7. Certificates
 #
-# Motions on the way to the limit cycle, over times of order $1/\varepsilon$:
+# Motions on the way to the limit cycle, over times of order $1/\varepsilon$; and the limit cycle
+# itself beside periodic orbits of the exact equation: its amplitude, its frequency, and how fast
+# disturbances of it die out.
 
 # %%
 emission = mg.Emission(
@@ -214,6 +231,7 @@ emission = mg.Emission(
     cases=list(cases.values()),
     samples=lambda case: {"mu": 2.3},
     amplitudes=lambda case: ([0.5 + 0.3j], 0.7),
+    steady=lambda case: [mg.Steady({"mu": 2.3}, [1.0])],
     derivation="derivations/van_der_pol.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 3",
 )

@@ -11,14 +11,15 @@
 
 # %%
 import matplotlib.pyplot as plt
-import steady
+import numpy as np
 import sympy as sp
 from IPython.display import Markdown, display
+from many_motions import fundamental, integrate
 from sympy.physics.mechanics import dynamicsymbols
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.certify import scaled_values
+from mmsgen.motion import reconstruction
 from mmsgen.symbols import modulus
 
 # %% [markdown]
@@ -72,26 +73,36 @@ report.modulation(primary[1])
 
 # %%
 rho = sp.Symbol("rho", positive=True)
-sigma = primary[1].relations[0].detuning
-a = modulus(u)
+flow, sigma, a = primary[1].slow_flow, primary[1].relations[0].detuning, modulus(u)
 in_rho = {a: 2 * sp.sqrt(rho), K: mu * omega_0 * K, sigma: mu * sigma}
-printed = 4 * (rho * (1 - rho) ** 2 + 4 * sigma**2 * rho) / K**2
-found = steady.response(primary[1]).subs(in_rho, simultaneous=True)
-assert sp.cancel(found - printed) == 0
+
+
+def demand_proportional(found, printed):
+    """Both vanish together: their quotient is positive, of the units alone."""
+    quotient = sp.cancel(found.subs(in_rho, simultaneous=True) / printed)
+    assert quotient.is_positive and quotient.free_symbols <= {mu, omega_0}
+
+
+relation = flow.response_relation()
+demand_proportional(relation, rho * (1 - rho) ** 2 + 4 * sigma**2 * rho - K**2 / 4)
+report.expression("0", relation)
 
 # %% [markdown]
 # They are stable, so that the oscillator stays locked, where the trace $1 - 2\rho$ (times $\mu$)
 # is negative and the determinant (times $\mu^2$) is positive:
 #
 # $$\rho > \tfrac12, \qquad \tfrac14\left(1 - 4\rho + 3\rho^2\right) + \sigma^2 > 0 .$$
+#
+# On the edge of the first condition a Hopf bifurcation lets the oscillator beat again, on that of
+# the second one a locked motion meets an unstable one, and both are gone: a saddle-node.
 
 # %%
-stability = steady.determinant(primary[1]).subs(in_rho, simultaneous=True) / mu**2
-assert sp.cancel(stability - (1 - 4 * rho + 3 * rho**2) / 4 - sigma**2) == 0
-trace = sp.trace(primary[1].slow_flow.jacobian)
-x, y = primary[1].slow_flow.cartesian
-on_circle = sp.expand(trace).subs(x**2, a**2 - y**2).expand().subs(in_rho, simultaneous=True)
-assert sp.expand(on_circle / mu - (1 - 2 * rho)) == 0
+meeting = flow.bifurcation_equations()
+assert all(equations[0] == relation for equations in meeting.values())
+demand_proportional(meeting["Hopf"][1], 2 * rho - 1)
+demand_proportional(meeting["saddle-node"][1], (1 - 4 * rho + 3 * rho**2) / 4 + sigma**2)
+display(report.expression(r"\text{Hopf}:\quad 0", meeting["Hopf"][1]))
+report.expression(r"\text{saddle-node}:\quad 0", meeting["saddle-node"][1])
 
 # %% [markdown]
 # ## 4. Driven hard, far from resonance: quenching
@@ -123,24 +134,124 @@ report.solvability(quenching[2], 2)
 # %% [markdown]
 # ## 5. Locked motions of the exact equation
 #
-# Periodic motions of the unexpanded equation, by collocation (`derivations/steady.py`), beside the
-# steady states of the slow flow: the amplitude of order $N$ is off by $\varepsilon^N$.
+# $\omega_0 = 1$ rad/s, $\mu = 0.2$ 1/s. Points: periodic orbits of the unexpanded equation, stable
+# ones filled. A weak force (left) leaves an island of locked motions about the amplitude 2, over a
+# curve on which the mass is merely shaken, and beats; a stronger one (middle) locks all amplitudes
+# above $\sqrt2$. Right: where locking is lost, in saddle-nodes at weak forces and in Hopf points
+# at strong ones; points: folds and Neimark–Sacker bifurcations of exact periodic orbits.
 
 # %%
-LOCKED = {"omega_0": 1.0, "mu": 0.8, "K": 0.9, "sigma": 0.15}
-rows = []
-for halvings in range(3, 8):
-    pairs = []
-    for case in primary.values():
-        slow, _ = scaled_values(case, LOCKED, 0.5**halvings)
-        start = steady.equilibrium(case, slow, -1.1j)
-        pairs.append((2 * abs(start), steady.exact_amplitude(case, slow, start)))
-    differences = (f"{abs(found - exact):.1e}" for found, exact in pairs)
-    rows.append((f"1/{2**halvings}", f"{pairs[1][1]:.6f}", *differences))
-report.Table(("ε", "exact $a$ (m)", "order 1", "order 2"), tuple(rows))
+NUMBERS = {omega_0: 1.0, mu: 0.2}
+figure, panels = plt.subplots(1, 3, figsize=(10.4, 4.2), layout="constrained")
+for axes, force in zip(panels[:2], (0.12, 0.3), strict=True):
+    here = {**NUMBERS, K: force, sigma: np.linspace(-0.25, 0.25, 501)}
+    for order, case in primary.items():
+        response = case.slow_flow.frequency_response(here)
+        points = mg.orbits_along(case, here, response, 28) if order == 2 else ()
+        plotting.frequency_response(
+            response, [f"order {order}"], points=points, colour=2 - order, axes=axes
+        )
+    axes.get_legend().remove()
+    axes.set(xlabel="σ (rad/s)", ylabel="amplitude (m)", title=f"K = {force} m/s²")
+
+edge = panels[2]
+forces = np.concatenate(
+    [np.linspace(0.02, 0.2, 4), [0.205, 0.21, 0.215], np.linspace(0.22, 0.38, 4)]
+)
+for order, case in primary.items():
+    found = []
+    for force in forces:
+        here = {**NUMBERS, K: force, sigma: np.linspace(-0.25, 0.25, 51)}
+        response = case.slow_flow.frequency_response(here)
+        found += [(force, *own) for own in response.bifurcations]
+    for kind, dash in (("saddle-node", "-"), ("Hopf", "--")):
+        for side in (-1, 1):
+            met = [(f, s, b) for f, k, s, b, *_ in found if k == kind and side * s > 0]
+            # Of two saddle-nodes the outer one: there the larger amplitudes are.
+            outer = {f: max((abs(b[0]), s) for g, s, b in met if g == f)[1] for f, _, _ in met}
+            label = f"{kind}, order {order}" if side > 0 else None
+            colour = plotting.COLOURS[2 - order]
+            edge.plot(list(outer.values()), list(outer), dash, color=colour, lw=1.4, label=label)
+
+
+def lost(force, end):
+    """Where exact locked motions become unstable, from σ = 0 on."""
+    here = {**NUMBERS, K: force, sigma: 0.0}
+    found = primary[2].slow_flow.equilibria(here)
+    near = mg.orbit_near(primary[2], here, found.amplitudes[found.stable][0])
+    path = mg.orbits.follow(
+        near.orbit.problem, near.orbit, Omega, 1 + end, progress=lambda orbit, _: orbit.stable
+    )
+    return path.specials[0]
+
+
+MARKS = {"fold": ("o", "exact fold"), "Neimark-Sacker": ("^", "exact Neimark–Sacker point")}
+known = set()
+for force in (0.08, 0.16, 0.25, 0.34):
+    for end in (-0.25, 0.25):
+        special = lost(force, end)
+        mark, label = MARKS[special.kind]
+        style = {"mfc": "none", "mec": "black", "ms": 5, "ls": ""}
+        edge.plot(special.value - 1, force, mark, label=None if mark in known else label, **style)
+        known.add(mark)
+edge.set(xlabel="σ (rad/s)", ylabel="K (m/s²)", title="locked above the curves", ylim=(0, None))
+entries = dict(zip(*reversed(panels[0].get_legend_handles_labels()), strict=True))
+for axes in panels[1:]:
+    entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+_ = figure.legend(
+    entries.values(), entries, loc="outside lower center", ncols=4, frameon=False, fontsize="small"
+)
+
+# %% [markdown]
+# The same for a hard force of $\Omega = 1.8$ rad/s. The oscillator's own oscillation stands beside
+# the forced one, and their frequencies have no simple ratio: that is no periodic orbit, but a
+# motion of two frequencies. So the exact equation is integrated from the motions that order 2 makes
+# of its equilibria, and the part near $\omega_0$ is read off. From the force on at which it is
+# quenched the motion is periodic; in the exact equation that is a Neimark–Sacker bifurcation of the
+# forced motion. Both orders have the same amplitude.
+
+# %%
+hard_numbers = {**NUMBERS, Omega: 1.8}
+figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.8), layout="constrained")
+for order, case in quenching.items():
+    response = case.slow_flow.frequency_response({**hard_numbers, K: np.linspace(0.02, 4, 200)})
+    style = {"colour": 2 - order, "xlabel": "K (m/s²)", "ylabel": "amplitude at $\\omega_0$ (m)"}
+    plotting.frequency_response(response, [f"order {order}"], axes=left, **style)
+    _, own = response.branches  # rest, and the oscillator's own oscillation
+    speed = np.where(own.modulus > 0, 1 + own.drift, np.nan)
+    right.plot(own.parameter, speed, color=plotting.COLOURS[2 - order], lw=1.6)
+
+swinging = np.linspace(0.5, 3, 11)
+values = {str(symbol): number for symbol, number in hard_numbers.items()}
+starts = [
+    reconstruction(quenching[2], {**values, "K": force})(np.zeros(1), b[None, -1:])[:, 0]
+    for force, b in zip(
+        swinging,
+        quenching[2].slow_flow.equilibria({**hard_numbers, K: swinging}).amplitudes[:, -1],
+        strict=True,
+    )
+]
+times = np.concatenate([[0.0], np.linspace(150, 400, 2501)])
+motions, _ = integrate(eom, {**values, "K": swinging}, np.stack(starts, axis=1), times)
+sizes, speeds = fundamental(times[1:], motions[:, 1:], 1.0, 0.1)
+left.plot(swinging, sizes, "ks", ms=3.4, label="time integration")
+right.plot(swinging, speeds, "ks", ms=3.4)
+
+forced = mg.orbit_near(quenching[2], {**hard_numbers, K: 4.0}, [0.0]).orbit
+assert forced.stable
+path = mg.orbits.follow(forced.problem, forced, K, 3.0)
+(quenched,) = path.specials
+assert quenched.kind == "Neimark-Sacker"
+left.plot(quenched.value, 0, "k^", ms=6, clip_on=False, label="exact Neimark–Sacker point")
+left.legend(frameon=False, fontsize="small")
+_ = right.set(xlabel="K (m/s²)", ylabel="frequency of that oscillation (rad/s)")
 
 # %% [markdown]
 # ## 6. Certificates
+#
+# Besides motions: locked motions beside periodic orbits, their amplitudes and how fast disturbances
+# die out, and the saddle-node at which a weaker force loses its hold; the motion that is forced
+# alone, and the decay or growth of the oscillator's own oscillation in it.
 
 
 # %%
@@ -151,11 +262,23 @@ def samples(case):
     return {name: value for name, value in values.items() if name in names}
 
 
+LOCKED = {"omega_0": 1.0, "mu": 0.8, "K": 0.9, "sigma": 0.15}
+FOLD = {"omega_0": 1.0, "mu": 0.8, "K": 0.6, "sigma": 0.153}
+
+
+def steady(case):
+    """Values at ε = 1, and amplitudes near those of order 1."""
+    if case in quenching.values():
+        return [mg.Steady(samples(case), [0.0])]
+    return [mg.Steady(LOCKED, [-0.88 - 0.74j]), mg.Steady(FOLD, [-0.94 + 0.2j], fold=True)]
+
+
 emission = mg.Emission(
     model="van_der_pol_forced",
     cases=[*primary.values(), *quenching.values()],
     samples=samples,
     amplitudes=lambda case: ([-0.2 - 0.4j], 1.0),
+    steady=steady,
     derivation="derivations/van_der_pol_forced.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 4",
 )

@@ -33,7 +33,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "nonresonant_order_2": {
         "relation": "no resonance",
@@ -42,7 +50,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "nonresonant_order_4": {
         "relation": "no resonance",
@@ -51,7 +67,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

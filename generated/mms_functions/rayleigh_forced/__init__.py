@@ -34,7 +34,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "Omega_is_omega_0_order_2": {
         "relation": "Omega = omega_0 + sigma",
@@ -43,7 +51,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "nonresonant_order_1": {
         "relation": "no resonance",
@@ -52,7 +68,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "nonresonant_order_2": {
         "relation": "no resonance",
@@ -61,7 +85,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/van_der_pol.py: change that, not this file.
-# Made from sha256 bfc855128668fec65a1f3d8c8a9a50a085dbb50ff53e9d6de793e47f5ac83d8c
-# Operations for each point: slow_flow 33
+# Made from sha256 20234d10585a8a4e1be2f56d5a23d596ca40a72a8bdd6bcefb8bcddae69786fa
+# Operations for each point: slow_flow 33, coefficients 17, backbone 10, motion 14
 """van_der_pol: no resonance, order 3.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 3
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._motion import Motion, response_at
+from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
+from .._one_amplitude import equilibria_of_one
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -60,6 +70,27 @@ VARIABLES: tuple[str, ...] = ()
 # --- formulas -------------------------------------------------------------------------------------
 
 
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    1,
+    (
+        (0, (1, 0, 0)), (0, (2, 1, 0)), (0, (3, 2, 0)), (0, (4, 3, 0)),
+    ),
+    ((1,),),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), ()), (1, 0, (3, 0, 0), ()), (2, 0, (3, 0, 0), ()), (2, 0, (4, 1, 0), ()),
+        (2, 0, (5, 0, 0), ()), (3, 0, (3, 0, 0), ()), (3, 0, (4, 1, 0), ()), (3, 0, (5, 0, 0), ()),
+        (3, 0, (5, 2, 0), ()), (3, 0, (6, 1, 0), ()), (3, 0, (7, 0, 0), ()),
+    ),
+    0,
+)
+
+
 def _slow_flow(out, A_u, mu):
     # Intermediates
     x0 = np.conj(A_u)
@@ -75,6 +106,47 @@ def _slow_flow(out, A_u, mu):
         A_u * mu * (1 / 2 - 1 / 8 * 1j * mu) + mu * x0 * x4 * (1 / 2 * 1j * mu - 1 / 4 * x1 - 1 / 2)
         + x1 * x2 * x7 * (35 / 64 * mu - 7 / 16 * 1j) - 37 / 128 * x3 * x5 * x6
     )
+
+
+def _coefficients(out, mu):
+    # Intermediates
+    x0 = mu * mu
+    x1 = mu * x0
+    # Outputs
+    out[..., 0] = mu * (1 / 2 - 1 / 8 * 1j * mu)
+    out[..., 1] = mu * (1 / 2 * 1j * mu - 1 / 4 * x0 - 1 / 2)
+    out[..., 2] = x0 * (35 / 64 * mu - 7 / 16 * 1j)
+    out[..., 3] = -37 / 128 * x1
+
+
+def _backbone(a_u, mu):
+    # Intermediates
+    x0 = mu * mu
+    x1 = a_u * a_u
+    x2 = x1 * x1
+    # Outputs
+    rate = 1 / 8 * x0 * x1 - 7 / 256 * x0 * x2 - 1 / 8 * x0
+    return rate
+
+
+def _motion(out, mu):
+    # Intermediates
+    x0 = mu * mu
+    x1 = mu * x0
+    x2 = 1j * x1
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 1 / 4 * 1j * mu
+    out[..., 2] = -1 / 16 * x0
+    out[..., 3] = -1 / 32 * x0
+    out[..., 4] = -5 * x0 / 96
+    out[..., 5] = 1 / 64 * x2
+    out[..., 6] = -21 / 128 * x2
+    out[..., 7] = -35 * x2 / 1152
+    out[..., 8] = 29 / 256 * x2
+    out[..., 9] = -5 * x2 / 768
+    out[..., 10] = -7 * x2 / 576
+    out[..., 11] = 1
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -104,3 +176,203 @@ def slow_flow(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.complex1
     """
     arguments = checked(PARAMETERS, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def equilibria(*, mu: ArrayLike, gradient: bool = False) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN. B_j exp(i k_j θ) moves along a circle of
+    further ones for k = (1,); of each circle one point is given, and the rate at which it drifts,
+    B_j exp(i k_j ρ t).
+
+    Parameters
+    ----------
+    mu : array_like
+        Strength of the self-excitation; time and displacement scaled to one, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 1), drift (..., count, 1) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, mu=mu)
+    return equilibria_at(
+        equilibria_of_one,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("mu",) if gradient else (),
+    )
+
+
+def frequency_response(*, mu: ArrayLike, over: str = "mu") -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    mu : array_like
+        Strength of the self-excitation; time and displacement scaled to one, > 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, mu=mu)
+    return response_along(_FLOW, _coefficients, arguments, ("mu",), over)
+
+
+def backbone(amplitude: ArrayLike, /, *, mu: ArrayLike, gradient: bool = False) -> Any:
+    """The shift of the frequency on the backbone curve.
+
+    Where the conservative part of the slow flow that no phase enters is at rest; free motions
+    without damping lie on it, and the responses of weakly damped ones close by.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    mu : array_like
+        Strength of the self-excitation; time and displacement scaled to one, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        In rad/s, float64; with gradient this and name -> derivative.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, mu=mu)
+    return backbone_at(_backbone, amplitude, arguments, ("mu",) if gradient else ())
+
+
+def jacobian(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
+    little as they can; an equilibrium then is at rest.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    mu : array_like
+        Strength of the self-excitation; time and displacement scaled to one, > 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, mu=mu)
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
+    a zero, which is left out.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    mu : array_like
+        Strength of the self-excitation; time and displacement scaled to one, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, mu=mu)
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, mu: ArrayLike, order: int | None = None,
+    drift: ArrayLike | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. With a drift, constant ones turn along the
+    symmetries of the slow flow. NaN where a harmonic resonates itself. Derivatives are taken with
+    these fixed. Over times of order 1/ε the error is O(ε^3). A UserWarning says how much is left
+    out where that is more than a tenth of the motion, estimated from the harmonics of each order
+    beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    mu : array_like
+        Strength of the self-excitation; time and displacement scaled to one, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 3; all by default.
+    drift : array_like, optional
+        Of an equilibrium that drifts, shape (..., 1), rad/s: as `equilibria` gives it.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order u; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, mu=mu)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        drift=drift,
+        slow=(_FLOW, _coefficients, 1),
+        names=("mu",) if gradient else (),
+    )
