@@ -166,7 +166,6 @@ printed = (mu**2 + shift**2) * a**2 - alpha**2 * third**6 / omega_0**2
 flow = superharmonic[1].slow_flow
 assert same(flow.response_relation(), printed)
 assert sp.cancel(flow.backbone()[sigma] - (sigma - shift)) == 0
-vanishes(flow.response_relation())
 
 # %% [markdown]
 # ## 6. Subharmonic resonance of order 1/3
@@ -190,7 +189,6 @@ right = 81 * alpha**2 * triple**2 * a**2 / (16 * omega_0**2)
 flow = subharmonic[1].slow_flow
 assert same(flow.response_relation(), left - right)
 assert sp.cancel(flow.backbone()[sigma] - 9 * alpha * triple**2 / omega_0 - 9 * bend) == 0
-vanishes(flow.response_relation())
 
 # %% [markdown]
 # It is quadratic in $a^2$, so the subharmonic exists where the discriminant is not negative and

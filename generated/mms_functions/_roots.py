@@ -36,6 +36,10 @@ SMALLEST = 2.0**-1000
 # How often an interval is halved to separate its roots; what is left then is near a double root.
 HALVINGS = 12
 
+# Bernstein coefficients may be zero if they are smaller than this, compared with the sum of the
+# absolute values that they are made of.
+DOUBT = 1e-14
+
 # A step of Newton's method that is relatively smaller than this is the last one: the next would be
 # of the size of its square.
 SETTLED = 1e-8
@@ -194,14 +198,14 @@ def _isolated(table: NDArray[np.float64]) -> tuple[Any, ...]:
     """
     degree = table.shape[1] - 1
     b, row = _bernstein(table), np.arange(len(table))  # a column for each interval
+    size = _bernstein(np.abs(table))  # what the coefficients are sums of
     low, width, found = np.zeros(len(row)), 1.0, []
-    doubt = 1e-14 * np.abs(table.T).sum(axis=0)
     for level in range(HALVINGS + 1):
         negative = b < 0.0
         change = negative[1:] != negative[:-1]
         number = change.sum(axis=0, dtype=np.int8)
         # Coefficients that may be zero hide changes of sign.
-        number[np.abs(b).min(axis=0) <= doubt[row]] = 2
+        number[(np.abs(b) <= DOUBT * size).any(axis=0)] = 2
         single = np.flatnonzero(number == 1)
         k = np.argmax(change[:, single], axis=0)
         left, right = b[k, single], b[k + 1, single]
@@ -209,11 +213,11 @@ def _isolated(table: NDArray[np.float64]) -> tuple[Any, ...]:
         sign = np.where(negative[0, single], -1.0, 1.0)
         found.append((row[single], low[single], low[single] + width, guess, sign))
         many = number > 1
-        row, low, b = row[many], low[many], b[:, many]
+        row, low, b, size = row[many], low[many], b[:, many], size[:, many]
         if level == HALVINGS or not len(row):
             break
         width *= 0.5
-        b = _halved(b)
+        b, size = _halved(b), _halved(size)
         row, low = np.concatenate((row, row)), np.concatenate((low, low + width))
     hard = np.unique(row)
     parts = [np.concatenate(p) for p in zip(*found, strict=True)]
