@@ -14,8 +14,8 @@ from mmsgen.codegen import emitted_functions
 from mmsgen.codegen.kernels import EmittedFunction
 from mmsgen.codegen.setting import Setting
 
-# Closed forms, one polynomial, several, one after another, several detunings, no zone.
-ZONES = ("rotor", "coupled", "lossy", "mathieu", "damped", "pair", "numeric", "stable")
+# Closed forms, a polynomial of a higher degree, polynomials one after another, no zone.
+ZONES = ("damped", "pair", "numeric", "coupled", "lossy", "stable")
 
 
 @cache

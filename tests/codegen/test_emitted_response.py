@@ -141,7 +141,7 @@ def test_through_the_order_below_it_is_the_engines_reconstruction(name: str) -> 
     assert found.T == pytest.approx(wanted, rel=1e-12, abs=1e-12 * np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("name", ["rotor2", "lossy", "mathieu", "pair", "damped2"])
+@pytest.mark.parametrize("name", ["rotor2", "pair", "damped2"])
 @quiet
 def test_linear_cases_have_it_too(name: str) -> None:
     one = emitted(name)
