@@ -19,7 +19,7 @@ t = dynamicsymbols._t
 u, w = dynamicsymbols("u w")
 omega, Omega, alpha, k, K = sp.symbols("omega Omega alpha k K", positive=True)
 mu, nu = sp.symbols("mu nu", nonnegative=True)
-omega_1, omega_2 = sp.symbols("omega_1 omega_2", positive=True)
+omega_1, omega_2, Omega_2 = sp.symbols("omega_1 omega_2 Omega_2", positive=True)
 
 
 def _system(equations: list[sp.Expr], coordinates: list[sp.Expr], orders: Any) -> Any:
@@ -42,6 +42,9 @@ def _scaled(name: str) -> Any:
         return _system([u.diff(t, 2) + omega**2 * u + alpha * u**3], [u], {alpha: 1})
     if name == "soft":
         return _system([_damped(-k * drive)], [u], {**small, k: 1})
+    if name == "beats":
+        left = u.diff(t, 2) + omega**2 * u + alpha * u**3 - k * drive - k * sp.cos(Omega_2 * t)
+        return _system([left], [u], {alpha: 1, k: 1})
     if name == "driven":
         return _system([_damped(-k * drive).subs(alpha, 0)], [u], {mu: 1, k: 1})
     if name == "hard":
@@ -77,10 +80,14 @@ CASES: dict[str, tuple[str, int, dict[sp.Expr, sp.Expr] | None]] = {
 }
 
 
+BEATS = ("beats", 1, {Omega: omega, Omega_2: omega})
+"""Two forces of nearly the same frequency: no frame makes the slow flow autonomous."""
+
+
 @cache
 def nonlinear(name: str) -> Emitted:
-    """The emitted functions of one of `CASES`."""
-    system, order, relation = CASES[name]
+    """The emitted functions of one of `CASES`, or of `BEATS`."""
+    system, order, relation = BEATS if name == "beats" else CASES[name]
     case = _scaled(system).expand(order=order, resonance=relation)
     files = render(case, model="nonlinear")
     (module,) = load_files(files, [case_name(case)]).values()

@@ -153,6 +153,19 @@ def test_linear_cases_have_it_too(name: str) -> None:
     assert found.T == pytest.approx(wanted, rel=1e-12, abs=1e-12 * np.abs(wanted).max())
 
 
+def test_without_an_autonomous_frame_it_takes_the_amplitudes_themselves() -> None:
+    """u = A e^{iωt} + αA³/(8ω²) e^{3iωt} + c.c.: of two forces in resonance nothing is left."""
+    module, times = functions("beats"), np.linspace(0.0, 5.0, 4)
+    assert module.FRAME is None
+    assert [n for n in module.__all__ if n.islower()] == ["response", "slow_flow"]
+    given = {"sigma_1": 0.1, "sigma_2": 0.2, "alpha": 0.1, "k": 0.1, "omega": 1.3}
+    a = (0.1 + 0.2j) * np.exp(0.3j * times)
+    z = a * np.exp(1.3j * times)
+    wanted = 2 * (z + 0.1 * z**3 / (8 * 1.3**2)).real
+    found = module.response(times, a[:, None], **given)
+    assert found[:, 0] == pytest.approx(wanted, rel=1e-14, abs=1e-15)
+
+
 # --- shapes and arguments -------------------------------------------------------------------------
 
 
