@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Curve, turning
+from ._arcs import Curve, across, turning
 from ._bows import Bow, bows
 from ._charts import Chart, equations, unpack
 from ._nets import Link, Net
@@ -55,24 +55,24 @@ def _bows(links: list[Link]) -> tuple[Bow, NDArray[Any], NDArray[np.int64], NDAr
     return bow, np.concatenate(scale), np.concatenate(owner), np.concatenate(place)
 
 
+HALVINGS = 5
+"""How often the pieces beside a turn are halved towards it."""
+
+
 def samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> Samples:
     """Points of all links at the given values between the nodes, and their folds."""
     curve = net.curve
     bow, scale, owner, place = _bows(net.links)
-    back = np.array([mirrored(link) for link in net.links])[owner]
     turns = (bow.slope[:, -1] > 0.0) != (bow.end[:, -1] > 0.0)
-    k = np.flatnonzero(turns & ~back)
+    k, plain = np.flatnonzero(turns), np.flatnonzero(~turns)
     w, tangent = turning(curve, bow.pick(k), scale[k])
-    # A step with a fold becomes two, up to it and from it.
-    parts = [np.concatenate((part, part[k])) for part in bow[:4]]
-    for part, value in zip(parts, (w, tangent, w, tangent), strict=True):
-        part[len(owner) :] = value
-    parts[2][k], parts[3][k] = w, tangent
-    parts[2][len(owner) :], parts[3][len(owner) :] = bow.last[k], bow.end[k]
-    whole = bows(*parts)
-    scales, owners = np.concatenate((scale, scale[k])), np.concatenate((owner, owner[k]))
-    places = np.concatenate((place, place[k] + 0.5))
-    sampled = _dense(curve, whole, scales, owners, places, p, c)
+    near, step, begin, length = _towards(curve, bow.pick(k), scale[k], w, tangent)
+    whole = Bow(*(np.concatenate((x[plain], y)) for x, y in zip(bow, near, strict=True)))
+    pieces = np.concatenate((plain, k[step]))
+    along = np.concatenate((place[plain], place[k[step]] + begin))
+    lengths = np.concatenate((np.ones(len(plain)), length))
+    sampled = _dense(curve, whole, scale[pieces], owner[pieces], along, lengths, p, c)
+    fold = ~_own_image(net.links, owner[k])
     folds = Samples(
         owner[k],
         place[k] + 0.5,
@@ -80,7 +80,58 @@ def samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> Samp
         w[:, :-1] * scale[k],
         np.ones(len(k), bool),
     )
-    return sampled.and_then(folds)
+    return sampled.and_then(folds.pick(fold))
+
+
+def _towards(
+    curve: Curve,
+    bow: Bow,
+    scale: NDArray[np.float64],
+    w: NDArray[np.float64],
+    tangent: NDArray[np.float64],
+) -> tuple[Bow, NDArray[np.int64], NDArray[np.float64], NDArray[np.float64]]:
+    """Steps with a turn in pieces; the step of each, where in it that begins, and its length.
+
+    Close to a turn p goes like the square of the distance s. What a cubic errs by goes like s²
+    as well, so that the two sides, which are 2s apart, would be taken for each other where p
+    changes little along the whole step. With each halving that error falls by sixteen, and s²
+    by four.
+    """
+    sides = bows(bow.first, bow.slope, w, tangent), bows(w, tangent, bow.last, bow.end)
+    shares = 0.5 ** np.arange(1, HALVINGS + 1)
+    stops = np.concatenate(([0.0], 1.0 - shares, [1.0], 1.0 + shares[::-1], [2.0]))
+    points, slopes = [], []
+    for stop in stops:
+        side = sides[int(stop > 1.0)]
+        u = np.full(len(w), stop - float(stop > 1.0))
+        at, direction = side.at(u), side.towards(u)
+        if stop % 1.0:
+            at, direction = across(curve, at, scale, direction)
+        elif stop == 1.0:
+            at, direction = w, tangent
+        points.append(at)
+        slopes.append(direction)
+    parts = [points[:-1], slopes[:-1], points[1:], slopes[1:]]
+    number = len(stops) - 1
+    return (
+        bows(*(np.concatenate(part) for part in parts)),
+        np.tile(np.arange(len(w)), number),
+        np.repeat(0.5 * stops[:-1], len(w)),
+        np.repeat(0.5 * np.diff(stops), len(w)),
+    )
+
+
+def _own_image(links: list[Link], owner: NDArray[np.int64]) -> NDArray[np.bool_]:
+    """Of turns in order along their links: those at the point of a mirrored piece without image.
+
+    It is the middle one: on either side of it are the images of what is on the other.
+    """
+    out = np.zeros(len(owner), dtype=bool)
+    for k, link in enumerate(links):
+        own = np.flatnonzero(owner == k)
+        if mirrored(link) and len(own) % 2:
+            out[own[len(own) // 2]] = True
+    return out
 
 
 def mirrored(link: Link) -> bool:
@@ -93,7 +144,8 @@ def _dense(
     bow: Bow,
     scale: NDArray[np.float64],
     owner: NDArray[np.int64],
-    place: NDArray[np.float64],
+    begin: NDArray[np.float64],
+    length: NDArray[np.float64],
     p: NDArray[np.float64],
     c: NDArray[np.complex128],
 ) -> Samples:
@@ -110,18 +162,8 @@ def _dense(
     u = own.where(p[index] / width)
     x = own.at(u, slice(None, -1)) * scale[step]
     x = _polished(curve.place, c[index], x, scale[step])
-    half = np.where(place[step] % 1.0 > 0.0, 0.5, 1.0)
-    half = np.where(np.isin(step, np.flatnonzero(_split(owner, place))), 0.5, half)
-    return Samples(
-        owner[step], place[step] + half * u * 0.999, p[index], x, np.zeros(len(step), bool)
-    )
-
-
-def _split(owner: NDArray[np.int64], place: NDArray[np.float64]) -> NDArray[np.bool_]:
-    """Steps that have been cut at a fold: their first halves."""
-    cut = place % 1.0 > 0.0
-    later = {(int(o), float(s)) for o, s in zip(owner[cut], place[cut] - 0.5, strict=True)}
-    return np.array([(int(o), float(s)) in later for o, s in zip(owner, place)], dtype=bool)
+    along = begin[step] + length[step] * u * 0.999
+    return Samples(owner[step], along, p[index], x, np.zeros(len(step), bool))
 
 
 def _polished(

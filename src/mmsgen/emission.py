@@ -193,6 +193,7 @@ def publish(emission: Emission | None = None, figures: Mapping[str, Any] | None 
         write_atomically(folder / "emission.json", text)
     if emission is None:
         return f"nothing is emitted; figures: {', '.join(sorted(figures or {})) or 'none'}"
-    lines = [f"{len(files)} files for {emission.model}, {len(emission.held)} cases"]
+    own = [path for path in files if Path(path).parent.name == emission.model]
+    lines = [f"{len(own)} files for {emission.model}, {len(emission.held)} cases"]
     lines += [f"not emitted: {failure}" for failure in failures]
     return "\n".join(lines)

@@ -32,7 +32,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x", "theta"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_x_is_two_omega_p_and_Omega_is_omega_x_order_2": {
         "relation": "omega_x = 2*omega_p + sigma_1 and Omega = omega_x + sigma_2",
@@ -41,7 +48,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x", "theta"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

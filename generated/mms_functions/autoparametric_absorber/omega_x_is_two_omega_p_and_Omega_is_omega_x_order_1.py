@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/autoparametric_absorber.py: change that, not this file.
-# Made from sha256 2fd7d3d4c90686a25e78d35ceb27c3dcf962ba71aa77e7017457427c80ebc1ae
-# Operations for each point: slow_flow 33
+# Made from sha256 8d19e4a4be626a992922153fb301b8612467dae0e33ba582080cf6cba1ae6db6
+# Operations for each point: slow_flow 33, coefficients 22, motion 8
 """autoparametric_absorber: omega_x = 2*omega_p + sigma_1 and Omega = omega_x + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Haxton and Barr, J. Engineering for Industry 94 (1972) 119-125
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._many_amplitudes import equilibria_of_many
+from .._motion import Motion, response_at
+from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,12 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -68,6 +77,27 @@ VARIABLES: tuple[str, ...] = ()
 # --- formulas -------------------------------------------------------------------------------------
 
 
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    2,
+    (
+        (0, (0, 0, 0, 0, 0, 0)), (0, (0, 0, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)),
+        (1, (0, 0, 0, 1, 0, 0)), (1, (1, 0, 0, 0, 1, 0)),
+    ),
+    (),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0), (0,)), (0, 1, (0, 0, 0, 1, 0, 0), (0,)),
+        (1, 1, (1, 0, 0, 1, 0, 0), (0,)),
+    ),
+    1,
+)
+
+
 def _slow_flow(out, A_x, A_theta, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
     # Intermediates
     x0 = 1j * A_x
@@ -82,6 +112,29 @@ def _slow_flow(out, A_x, A_theta, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f
         -A_theta * mu_p - 1j * A_theta * (1 / 2 * sigma_1 + 1 / 2 * sigma_2)
         - 2 * omega_p * x0 * np.conj(A_theta) / L
     )
+
+
+def _coefficients(out, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
+    # Intermediates
+    x0 = 1j * omega_p
+    # Outputs
+    out[..., 0] = -1 / 8 * 1j * L * f / omega_p
+    out[..., 1] = -1 / 2 * L * r * x0
+    out[..., 2] = 1j * sigma_1 - mu_x - 1j * (sigma_1 + sigma_2)
+    out[..., 3] = -mu_p - 1j * (1 / 2 * sigma_1 + 1 / 2 * sigma_2)
+    out[..., 4] = -2 * x0 / L
+
+
+def _motion(out, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
+    # Intermediates
+    x0 = 2 * omega_p + sigma_1 + sigma_2
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = -1 / L
+    out[..., 3] = x0
+    out[..., 4] = omega_p + 1 / 2 * sigma_1 + 1 / 2 * sigma_2
+    out[..., 5] = x0
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -131,3 +184,270 @@ def slow_flow(
         mu_p=mu_p, f=f,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def equilibria(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike, omega_p: ArrayLike, r: ArrayLike,
+    mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike, gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_x + sigma_2, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
+        mu_p=mu_p, f=f,
+    )
+    return equilibria_at(
+        equilibria_of_many,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma_1", "sigma_2", "L", "omega_p", "r", "mu_x", "mu_p", "f") if gradient else (),
+    )
+
+
+def frequency_response(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike, omega_p: ArrayLike, r: ArrayLike,
+    mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike, over: str = "sigma_1",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_x + sigma_2, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
+        mu_p=mu_p, f=f,
+    )
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma_1", "sigma_2", "L", "omega_p", "r", "mu_x", "mu_p", "f"),
+        over,
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
+    omega_p: ArrayLike, r: ArrayLike, mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_x + sigma_2, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
+        mu_p=mu_p, f=f,
+    )
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
+    omega_p: ArrayLike, r: ArrayLike, mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t).
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_x + sigma_2, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
+        mu_p=mu_p, f=f,
+    )
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
+    omega_p: ArrayLike, r: ArrayLike, mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike,
+    order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^1). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_x + sigma_2, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 1; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order x, theta; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
+        mu_p=mu_p, f=f,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        slow=(_FLOW, _coefficients, 8),
+        names=("sigma_1", "sigma_2", "L", "omega_p", "r", "mu_x", "mu_p", "f") if gradient else (),
+    )

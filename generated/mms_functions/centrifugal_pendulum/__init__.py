@@ -32,7 +32,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("phi",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "nu_is_omega_p_order_4": {
         "relation": "nu = omega_p + sigma",
@@ -41,7 +48,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("phi",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

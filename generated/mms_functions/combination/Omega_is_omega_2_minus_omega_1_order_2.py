@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
-# Made from sha256 1c953099310f788a12e13e90cb61e3bff59d85c4b7fcc83d8acf41c33d2cd693
+# Made from sha256 32d122ba8571fb257dfb9827409c25625d721d1ac2089763eb5d21b721544173
 # Operations for each point: growth_rate 114, boundaries 102, resonance 1, slow_flow_matrix 52,
-# characteristic_coefficients 92, slow_flow 68
+# characteristic_coefficients 92, slow_flow 68, motion 199
 """combination: Omega = omega_2 - omega_1 + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -10,8 +10,9 @@ scales through order 2 in ε, of x, y. Results are written at ε = 1.
 Stability depends: the discriminant of Gamma**2 + I*Gamma*sigma + f_12*f_21/(4*omega_1*omega_2) is
 positive in an interval of the detuning if -4*f_12*f_21/(omega_1*omega_2) > 0.
 
-No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
-and a case of its own: 3*omega_1 - omega_2, omega_1 - 3*omega_2, omega_1 - omega_2.
+No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
+which is a further resonance and a case of its own: 3*omega_1 - omega_2, omega_1 - 3*omega_2,
+omega_1 - omega_2.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5
 """
@@ -22,7 +23,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges, zone
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -43,10 +48,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -82,6 +90,35 @@ VARIABLES: tuple[str, ...] = ("A_x", "A_y")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    2,
+    (
+        ((0, 0), (1, 0)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0), (0,)), (0, 1, (0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 1, 0, 0), (1,)), (1, 0, (1, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (1, 0, 0, 0, 0, 0), (1,)), (1, 1, (0, 0, 0, 1, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 1, 0, 0), (1,)), (1, 1, (1, 0, 0, 0, 0, 0), (-1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0), (-2,)), (2, 0, (0, 0, 0, 1, 0, 0), (0,)),
+        (2, 0, (0, 0, 0, 1, 0, 0), (1,)), (2, 0, (0, 0, 0, 1, 0, 0), (2,)),
+        (2, 0, (1, 0, 0, 0, 0, 0), (-2,)), (2, 0, (1, 0, 0, 0, 0, 0), (-1,)),
+        (2, 0, (1, 0, 0, 0, 0, 0), (1,)), (2, 0, (1, 0, 0, 0, 0, 0), (2,)),
+        (2, 1, (0, 0, 0, 1, 0, 0), (-2,)), (2, 1, (0, 0, 0, 1, 0, 0), (-1,)),
+        (2, 1, (0, 0, 0, 1, 0, 0), (1,)), (2, 1, (0, 0, 0, 1, 0, 0), (2,)),
+        (2, 1, (1, 0, 0, 0, 0, 0), (-2,)), (2, 1, (1, 0, 0, 0, 0, 0), (-1,)),
+        (2, 1, (1, 0, 0, 0, 0, 0), (0,)), (2, 1, (1, 0, 0, 0, 0, 0), (2,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
@@ -290,6 +327,107 @@ def _slow_flow(out, A_x, A_y, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
     )
 
 
+def _motion(out, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = -omega_2
+    x1 = omega_1 + x0
+    x2 = 1 / x1
+    x3 = 1 / 2 * x2
+    x4 = 1 / omega_2
+    x5 = f_12 * x4
+    x6 = 3 * omega_1
+    x7 = x0 + x6
+    x8 = 1 / x7
+    x9 = 2 * f_11
+    x10 = x2 * x9
+    x11 = omega_1 + omega_2
+    x12 = 1 / x11
+    x13 = 2 * f_22
+    x14 = x13 * x2
+    x15 = 3 * omega_2
+    x16 = omega_1 - x15
+    x17 = 1 / x16
+    x18 = 1 / omega_1
+    x19 = f_21 * x18
+    x20 = x7 * x7
+    x21 = 1 / x20
+    x22 = omega_2 * omega_2
+    x23 = f_11 * x22
+    x24 = omega_1 * omega_1
+    x25 = f_22 * x24
+    x26 = f_11 * omega_1
+    x27 = f_22 * omega_2
+    x28 = omega_1 * x27 + omega_2 * x26
+    x29 = x1 * x1
+    x30 = 1 / x29
+    x31 = 2 * x30
+    x32 = x12 * x31
+    x33 = omega_1 * x23
+    x34 = 2 * omega_2
+    x35 = f_11 * x24
+    x36 = f_22 * x22
+    x37 = x24 * x27
+    x38 = x11 * x11
+    x39 = 1 / x38
+    x40 = 1 / 2 * x30 * x39
+    x41 = omega_1 * x24
+    x42 = omega_2 * x22
+    x43 = omega_1 - x34
+    x44 = sigma * x30
+    x45 = x43 * x44
+    x46 = x16 * x16
+    x47 = 1 / x46
+    x48 = x30 / 6
+    x49 = 2 * omega_1
+    x50 = x0 + x49
+    x51 = f_12 * f_21
+    x52 = 3 / 16 * x51
+    x53 = 1 / 16 * x51
+    x54 = omega_2 * x53
+    x55 = f_11 * f_11
+    x56 = 1 / 4 * x55
+    x57 = 4 * x44
+    x58 = f_11 * x57
+    x59 = omega_1 * x54
+    x60 = 1 / 8 * x51
+    x61 = f_22 * f_22
+    x62 = omega_2 + sigma
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = -x3 * x5
+    out[..., 3] = x10 * x8
+    out[..., 4] = -x10 * x12
+    out[..., 5] = x12 * x14
+    out[..., 6] = x14 * x17
+    out[..., 7] = x19 * x3
+    out[..., 8] = -f_12 * x18 * x21 * x32 * (x24 * x9 + x28 - x23 - 3 * x25)
+    out[..., 9] = (
+        x17 * x18 * x40 * x5 * (f_11 * x41 + 12 * f_11 * x42 + 8 * omega_1 * x36 - 7 * x33
+        - x34 * x35 - 8 * x37)
+    )
+    out[..., 10] = 1 / 4 * f_12 * x45 / x22
+    out[..., 11] = -x47 * x48 * x5 * (f_11 * omega_1 - f_11 * x15 - 4 * x27)
+    out[..., 12] = x18 * x31 * x8 * (omega_1 * x52 + omega_1 * x56 - x54) / x50
+    out[..., 13] = x21 * x50 * x58
+    out[..., 14] = -omega_2 * x39 * x58
+    out[..., 15] = x32 * (x22 * x56 + x24 * x53 - x22 * x60 - x59) / x42
+    out[..., 16] = x32 * (1 / 16 * f_12 * f_21 * x22 + 1 / 4 * x24 * x61 - x24 * x60 - x59) / x41
+    out[..., 17] = f_22 * omega_1 * x39 * x57
+    out[..., 18] = 4 * f_22 * x45 * x47
+    out[..., 19] = x17 * x31 * x4 * (omega_2 * x52 + 1 / 4 * omega_2 * x61 - omega_1 * x53) / x43
+    out[..., 20] = x19 * x21 * x48 * (f_22 * x6 + 4 * x26 - x27)
+    out[..., 21] = 1 / 4 * f_21 * x44 * x50 / x24
+    out[..., 22] = (
+        -x19 * x4 * x40 * x8 * (12 * f_22 * x41 + f_22 * x42 + 8 * omega_2 * x35 - 8 * x33
+        - x36 * x49 - 7 * x37)
+    )
+    out[..., 23] = -f_21 * x32 * x4 * x47 * (x13 * x22 + x28 - 3 * x23 - x25)
+    out[..., 24] = omega_1
+    out[..., 25] = x62
+    out[..., 26] = x62 - omega_1
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -338,8 +476,8 @@ def growth_rate(
 
 def boundaries(
     *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
-    f_22: ArrayLike,
-) -> tuple[Any, Any]:
+    f_22: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     The interval of sigma in which growth_rate is positive: where one of the polynomials with the
@@ -362,12 +500,14 @@ def boundaries(
         Half the modulation of a stiffness, rad^2/s^2, real.
     f_22 : array_like
         Half the modulation of a stiffness, rad^2/s^2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -377,7 +517,12 @@ def boundaries(
     arguments = checked(
         PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21, f_22=f_22,
     )
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("omega_1", "omega_2", "f_11", "f_12", "f_21", "f_22") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -546,3 +691,162 @@ def slow_flow(
         f_22=f_22,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike,
+    omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = -omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
+    f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = -omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 2). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike,
+    omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+    order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = -omega_1 + omega_2 + sigma, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order x, y; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+        f_22=f_22,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "omega_1", "omega_2", "f_11", "f_12", "f_21", "f_22") if gradient else (),
+    )

@@ -1,16 +1,18 @@
 # Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
-# Made from sha256 56cf420a26cf066a66c9ff0694b7924e3854c4484a078833d0b4f3ba6509338d
-# Operations for each point: growth_rate 50, slow_flow_matrix 9, characteristic_coefficients 48,
-# slow_flow 23
+# Made from sha256 c1a52c96c12c5e15871a2256820fb362c5baa1babfacc32a68df40bf33a92473
+# Operations for each point: growth_rate 50, boundaries 518, resonance 3, slow_flow_matrix 9,
+# characteristic_coefficients 48, slow_flow 23, motion 17
 """combination: Omega = 2*omega_1 + sigma_1 and omega_2 = 3*omega_1 + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
 scales through order 1 in ε, of x, y. Results are written at ε = 1.
 
-Stability depends: a factor of degree 4 in Gamma has no closed-form criterion here.
-
-No boundaries are emitted: a factor of degree 4 in Gamma has no closed-form criterion here: there is
-no boundary; use growth_rate.
+Stability depends: the signs of the subdiscriminants of Gamma**4 + Gamma**2*(-f_11**2/4 +
+f_12*f_21/6 + 5*omega_1**2*sigma_1**2/2 - 3*omega_1**2*sigma_1*sigma_2 +
+omega_1**2*sigma_2**2)/omega_1**2 + (-9*f_11*omega_1*sigma_1 + 6*f_11*omega_1*sigma_2 - f_12*f_21 +
+9*omega_1**2*sigma_1**2 - 6*omega_1**2*sigma_1*sigma_2)*(9*f_11*omega_1*sigma_1 -
+6*f_11*omega_1*sigma_2 - f_12*f_21 + 9*omega_1**2*sigma_1**2 -
+6*omega_1**2*sigma_1*sigma_2)/(144*omega_1**4) decide.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5
 """
@@ -21,12 +23,18 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
+from .._edges import explicit_edges, zone
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
     conservative_growth,
     evaluate,
     evaluate_array,
+    evaluate_pair,
     multiply_out,
 )
 
@@ -40,8 +48,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
+    "boundaries",
     "characteristic_coefficients",
+    "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -63,6 +76,8 @@ PARAMETERS = {
     "f_11": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
     "f_12": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
     "f_21": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
+    "omega_2": ("positive", "rad/s", "natural frequency of the second mode"),
+    "f_22": ("real", "rad^2/s^2", "half the modulation of a stiffness"),
 }
 
 #: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
@@ -76,6 +91,27 @@ VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)", "A_y", "conj(A_y)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    2,
+    (
+        ((0, 0), (0, 1), (1, 0), (1, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0), (0,)), (0, 1, (0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 1, 0, 0), (1,)), (1, 0, (1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 1, 0, 0), (-1,)), (1, 1, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (1, 0, 0, 0, 0, 0), (-1,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma_1, sigma_2, omega_1, f_11, f_12, f_21):
@@ -102,6 +138,160 @@ def _growth_rate(sigma_1, sigma_2, omega_1, f_11, f_12, f_21):
     coefficient_2 = 0
     coefficient_3 = 3 * sigma_1 * sigma_2 + 1 / 4 * x4 * x6 - x1 - x5 / 6 - 5 / 2 * x8
     return conservative_growth(coefficient_1, coefficient_2, coefficient_3, coefficient_2)
+
+
+def _boundaries(sigma_2, omega_1, f_11, f_12, f_21):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = f_12 * f_21
+    x3 = x1 * x2
+    x4 = 4 * x3 / 3
+    x5 = sigma_2 * sigma_2
+    x6 = f_11 * f_11
+    x7 = x0 * x0
+    x8 = x0 * x7
+    x9 = 1 / x8
+    x10 = x6 * x6
+    x11 = x10 * x2 * x9
+    x12 = x5 * x5
+    x13 = x12 * x3
+    x14 = x1 * x6
+    x15 = 1 / x7
+    x16 = f_12 * f_12
+    x17 = f_21 * f_21
+    x18 = x16 * x17
+    x19 = x15 * x18
+    x20 = x12 * x5
+    x21 = x10 * x6
+    x22 = x10 * x15
+    x23 = sigma_2 * x22
+    x24 = 12 * x14
+    x25 = x15 * x2 * x6
+    x26 = 8 * x25 / 3
+    x27 = 16 * x19 / 9
+    x28 = sigma_2 * x12
+    x29 = sigma_2 * x5
+    x30 = x3 * x5
+    x31 = x14 * x5
+    x32 = sigma_2 * x3
+    x33 = sigma_2 * x14
+    x34 = x12 * x12
+    x35 = x34 * x5
+    x36 = 4 * x35
+    x37 = x21 * x9
+    x38 = x7 * x7
+    x39 = 1 / x38
+    x40 = x10 * x10
+    x41 = x39 * x40
+    x42 = x0 * x38
+    x43 = 1 / x42
+    x44 = x40 * x6
+    x45 = x43 * x44
+    x46 = x2 * x21 * x39
+    x47 = x2 * x40 * x43
+    x48 = x38 * x7
+    x49 = 1 / x48
+    x50 = x16 * x16
+    x51 = x17 * x17
+    x52 = x50 * x51
+    x53 = f_12 * x16
+    x54 = f_21 * x17
+    x55 = x53 * x54
+    x56 = x55 * x9
+    x57 = x39 * x52
+    x58 = x18 * x6 * x9
+    x59 = x39 * x55 * x6
+    x60 = x43 * x52 * x6
+    x61 = x10 * x18 * x39
+    x62 = x10 * x43 * x55
+    x63 = x18 * x21 * x43
+    x64 = 2 * x60 / 81
+    x65 = sigma_2 * x34
+    x66 = x12 * x29
+    x67 = 64 * x56 / 27
+    # Outputs
+    p1_0 = 2 * x1 * x6 - x4 - 8 * x5
+    p1_1 = 24 * sigma_2
+    p1_2 = -20
+    p2_0 = (
+        2 * f_12 * f_21 * x15 * x5 * x6 / 3 + 1 / 2 * x10 * x15 * x5 + x16 * x17 * x6 * x9 / 9
+        + 1 / 8 * x21 * x9 - 1 / 4 * x11 - 2 * x12 * x14 - 4 * x13 - 4 * x19 * x5 / 9 - 8 * x20
+    )
+    p2_1 = sigma_2 * x27 + x24 * x29 + 72 * x28 + 80 * x29 * x3 / 3 - sigma_2 * x26 - 3 / 2 * x23
+    p2_2 = (
+        3 * f_12 * f_21 * x15 * x6 + 3 / 4 * x10 * x15 - 268 * x12 - x27 - 200 * x30 / 3 - 28 * x31
+    )
+    p2_3 = 528 * x29 + 224 * x32 / 3 + 30 * x33
+    p2_4 = -x24 - 32 * x3 - 580 * x5
+    p2_5 = 336 * sigma_2
+    p2_6 = -80
+    p3_0 = (
+        2 * x11 * x20 / 3 + 1 / 4 * x12 * x41 + x14 * x36 + 3 / 2 * x20 * x37 + x20 * x58 / 3
+        + x21 * x49 * x55 / 864 + 4 * x22 * x34 + x26 * x34 + 1 / 64 * x45 * x5 + x5 * x60 / 162
+        + x5 * x62 / 216 + x5 * x63 / 48 - x10 * x49 * x52 / 1296 - x12 * x46 / 6 - x12 * x57 / 81
+        - x12 * x59 / 54 - 19 * x12 * x61 / 72 - x18 * x40 * x49 / 2304 - x19 * x34 / 9
+        - 2 * x20 * x56 / 27 - x47 * x5 / 24
+    )
+    p3_1 = (
+        23 * f_12 * f_21 * sigma_2 * x40 * x43 / 192 + 3 / 4 * f_12 * f_21 * x21 * x29 * x39
+        + 67 * x10 * x16 * x17 * x29 * x39 / 36 + 4 * x15 * x16 * x17 * x66 / 9
+        + 16 * x28 * x53 * x54 * x9 / 27 + 8 * x29 * x39 * x50 * x51 / 81
+        + 2 * x29 * x39 * x53 * x54 * x6 / 9 - 3 / 64 * sigma_2 * x45 - sigma_2 * x62 / 54
+        - 7 * sigma_2 * x63 / 144 - sigma_2 * x64 - 47 * x11 * x28 / 6 - 60 * x14 * x65
+        - 48 * x22 * x66 - 36 * x25 * x66 - 27 / 2 * x28 * x37 - 37 * x28 * x58 / 9
+        - 3 / 2 * x29 * x41 - x4 * x65
+    )
+    p3_2 = (
+        147 / 4 * x11 * x12 + 397 / 8 * x12 * x37 + 21 * x12 * x58 + 397 * x14 * x34
+        + 26 * x19 * x20 / 9 + 495 / 2 * x20 * x22 + 626 * x20 * x25 / 3 + 46 * x3 * x34 / 3
+        + 211 / 64 * x41 * x5 + 9 / 256 * x45 + x62 / 72 + x63 / 36 + x64 - 44 * x12 * x56 / 27
+        - x36 - 23 * x46 * x5 / 24 - 11 / 128 * x47 - 8 * x5 * x57 / 27 - 5 * x5 * x59 / 6
+        - 347 * x5 * x61 / 72
+    )
+    p3_3 = (
+        f_12 * f_21 * sigma_2 * x21 * x39 / 12 + 65 * sigma_2 * x10 * x16 * x17 * x39 / 12
+        + 32 * sigma_2 * x39 * x50 * x51 / 81 + 34 * sigma_2 * x39 * x53 * x54 * x6 / 27
+        + 32 * x29 * x53 * x54 * x9 / 27 + 60 * x65 - 201 / 64 * sigma_2 * x41 - 177 / 2 * x11 * x29
+        - 1524 * x14 * x66 - 224 * x19 * x28 / 9 - 1431 / 2 * x22 * x28 - 2032 * x25 * x28 / 3
+        - 381 / 4 * x29 * x37 - 509 * x29 * x58 / 9 - 72 * x3 * x66
+    )
+    p3_4 = (
+        925 / 8 * x11 * x5 + 674 * x12 * x19 / 9 + 10137 / 8 * x12 * x22 + 2689 / 2 * x12 * x25
+        + 3753 * x14 * x20 + 506 * x20 * x3 / 3 + 1609 / 16 * x37 * x5 + 279 / 256 * x41
+        + 11 / 32 * x46 + 1519 * x5 * x58 / 18 + x5 * x67 - 401 * x34 - 16 * x57 / 81 - 2 * x59 / 3
+        - 107 * x61 / 48
+    )
+    p3_5 = (
+        1572 * x66 - 311 / 4 * sigma_2 * x11 - 885 / 16 * sigma_2 * x37 - 128 * sigma_2 * x56 / 27
+        - 66 * sigma_2 * x58 - 6183 * x14 * x28 - 1040 * x19 * x29 / 9 - 5625 / 4 * x22 * x29
+        - 1668 * x25 * x29 - 496 * x28 * x3 / 3
+    )
+    p3_6 = (
+        21 * x11 + 6884 * x12 * x14 + 848 * x19 * x5 / 9 + 7633 / 8 * x22 * x5 + 7561 * x25 * x5 / 6
+        + 99 / 8 * x37 + 190 * x58 / 9 + x67 - 316 * x13 / 3 - 4002 * x20
+    )
+    p3_7 = (
+        480 * f_12 * f_21 * x1 * x29 + 6912 * x28 - 320 * sigma_2 * x19 / 9
+        - 1586 * sigma_2 * x25 / 3 - 5097 * x14 * x29 - 723 / 2 * x23
+    )
+    p3_8 = 32 * x19 / 9 + 117 / 2 * x22 + 94 * x25 + 2390 * x31 - 8201 * x12 - 1664 * x30 / 3
+    p3_9 = 6600 * x29 + 896 * x32 / 3 - 636 * x33
+    p3_10 = 72 * x1 * x6 - 64 * x3 - 3448 * x5
+    p3_11 = 1056 * sigma_2
+    p3_12 = -144
+    reach = omega_1
+    return zone(
+        (p1_0, p1_1, p1_2), (p2_0, p2_1, p2_2, p2_3, p2_4, p2_5, p2_6),
+        (p3_0, p3_1, p3_2, p3_3, p3_4, p3_5, p3_6, p3_7, p3_8, p3_9, p3_10, p3_11, p3_12),
+        reach=reach,
+    )
+
+
+def _resonance(omega_1, omega_2, f_11, f_12, f_21):
+    centre = 2 * omega_1
+    sigma_2_ = omega_2 - 3 * omega_1
+    return centre, sigma_2_, omega_1, f_11, f_12, f_21
 
 
 def _slow_flow_matrix(out, sigma_1, sigma_2, omega_1, f_11, f_12, f_21):
@@ -161,6 +351,24 @@ def _slow_flow(out, A_x, A_y, sigma_1, sigma_2, omega_1, f_11, f_12, f_21):
     out[..., 1] = 1j * A_x * f_21 * x1 / 6 + sigma_2 * x2 - 3 / 2 * sigma_1 * x2
 
 
+def _motion(out, sigma_1, sigma_2, omega_1, f_11, f_12, f_21, f_22):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = 1 / 4 * x1
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = f_12 * x1 / 12
+    out[..., 3] = f_11 * x2
+    out[..., 4] = -f_22 * x2
+    out[..., 5] = 1 / 8 * f_22 * x1
+    out[..., 6] = -f_21 * x2
+    out[..., 7] = omega_1 + 1 / 2 * sigma_1
+    out[..., 8] = 3 * omega_1 + 3 / 2 * sigma_1
+    out[..., 9] = 2 * omega_1 + sigma_1
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -203,6 +411,93 @@ def growth_rate(
         f_21=f_21,
     )
     return evaluate(_growth_rate, arguments)
+
+
+def boundaries(
+    *, sigma_2: ArrayLike, omega_1: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+    gradient: bool = False,
+) -> Any:
+    """Both edges of the unstable interval of sigma_1.
+
+    The interval of sigma_1 in which growth_rate is positive: where one of the polynomials with the
+    coefficients in `_boundaries` (lowest power first) is. Infinite where the interval has no end.
+    Order 1 leaves out terms of the edges from ε^2 on; by as much differs the formula of
+    SlowFlow.boundary(), which is expanded in ε. Of several intervals the one nearest to zero, and
+    none that begins farther from it than omega_1, half of the frequencies that resonate;
+    SlowFlow.zones() gives all of them.
+
+    Parameters
+    ----------
+    sigma_2 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
+        unstable interval. With gradient this pair and name -> pair.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_2=sigma_2, omega_1=omega_1, f_11=f_11, f_12=f_12, f_21=f_21,
+    )
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("sigma_2", "omega_1", "f_11", "f_12", "f_21") if gradient else (),
+    )
+
+
+def critical_speeds(
+    *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+) -> tuple[Any, Any]:
+    """Both edges of the unstable zone in Omega.
+
+    Where Omega = 2*omega_1 + sigma_1 lies on an edge of `boundaries`.
+
+    Parameters
+    ----------
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency of the second mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    lower, upper : float64
+        In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
+        edge.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
+    )
+    return explicit_edges(_resonance, _boundaries, 1, arguments)
 
 
 def slow_flow_matrix(
@@ -325,3 +620,158 @@ def slow_flow(
         f_21=f_21,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike,
+    omega_1: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma_1 : array_like
+        Detuning, Omega = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, f_11=f_11, f_12=f_12,
+        f_21=f_21,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
+    f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma_1 : array_like
+        Detuning, Omega = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 2). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, f_11=f_11, f_12=f_12,
+        f_21=f_21,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike,
+    omega_1: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+    order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^1). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, Omega = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 1; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order x, y; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, f_11=f_11, f_12=f_12,
+        f_21=f_21, f_22=f_22,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma_1", "sigma_2", "omega_1", "f_11", "f_12", "f_21", "f_22") if gradient else (),
+    )

@@ -46,6 +46,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_1_plus_omega_2_order_2": {
@@ -65,6 +68,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_2_minus_omega_1_order_1": {
@@ -84,6 +90,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_2_minus_omega_1_order_2": {
@@ -103,6 +112,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_two_omega_1_order_2": {
@@ -122,6 +134,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_two_omega_1_and_omega_2_is_three_omega_1_order_1": {
@@ -130,12 +145,24 @@ CASES: dict[str, dict[str, Any]] = {
         "order": 1,
         "coordinates": ("x", "y"),
         "unstable": None,
-        "reason": "a factor of degree 4 in Gamma has no closed-form criterion here",
+        "reason": (
+            "the signs of the subdiscriminants of Gamma**4 + Gamma**2*(-f_11**2/4 + f_12*f_21/6 +"
+            " 5*omega_1**2*sigma_1**2/2 - 3*omega_1**2*sigma_1*sigma_2 + "
+            "omega_1**2*sigma_2**2)/omega_1**2 + (-9*f_11*omega_1*sigma_1 + "
+            "6*f_11*omega_1*sigma_2 - f_12*f_21 + 9*omega_1**2*sigma_1**2 - "
+            "6*omega_1**2*sigma_1*sigma_2)*(9*f_11*omega_1*sigma_1 - 6*f_11*omega_1*sigma_2 - "
+            "f_12*f_21 + 9*omega_1**2*sigma_1**2 - …"
+        ),
         "functions": (
             "growth_rate",
+            "boundaries",
+            "critical_speeds",
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
 }

@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 5288a22e133a6687c5174ae309f426465caf93b901ec3e761499998211aca040
+# Made from sha256 bbe4c81ec25bdd665ea42dc9b245b5644dea00b121d8b4b8306848969a550899
 # Operations for each point: growth_rate 73, slow_flow_matrix 91, characteristic_coefficients 105,
-# slow_flow 140
+# slow_flow 140, motion 137
 """ground_resonance: Omega = omega_phi - omega_y + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -11,9 +11,9 @@ It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
 omega_y**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
 mode turns without growing.
 
-No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
-and a case of its own: -2*omega_phi + omega_x + omega_y, -omega_phi + omega_y, 2*omega_phi + omega_x
-- omega_y, omega_x - omega_y.
+No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
+which is a further resonance and a case of its own: -2*omega_phi + omega_x + omega_y, -omega_phi +
+omega_y, 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -24,6 +24,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -45,10 +49,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -89,6 +96,111 @@ VARIABLES: tuple[str, ...] = ("A_x", "A_y", "A_phi_1", "A_phi_2", "A_phi_3", "A_
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    6,
+    (
+        ((0, 0),), ((1, 0), (2, 0), (3, 0), (4, 0), (5, 0)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    6,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (0,)),
+        (0, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, r_m, r_b, omega_x, omega_y, omega_phi):
@@ -308,6 +420,187 @@ def _slow_flow(
     )
 
 
+def _motion(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = omega_y * omega_y
+    x1 = r_m * x0
+    x2 = omega_x + omega_y
+    x3 = 1 / x2
+    x4 = -omega_y
+    x5 = omega_x + x4
+    x6 = 1 / x5
+    x7 = x3 * x6
+    x8 = x1 * x7
+    x9 = 2 * omega_phi
+    x10 = -x4 - x9
+    x11 = x10 * x10
+    x12 = r_m * x11
+    x13 = x2 - x9
+    x14 = 1 / x13
+    x15 = x5 + x9
+    x16 = 1 / x15
+    x17 = x14 * x16
+    x18 = x12 * x17
+    x19 = 1j * x8
+    x20 = 1j * x18
+    x21 = 1 / omega_phi
+    x22 = omega_phi + x4
+    x23 = -x22
+    x24 = 1 / x23
+    x25 = 1 / 4 * x24
+    x26 = x12 * x21 * x25
+    x27 = 1j * x26
+    x28 = omega_y * r_b
+    x29 = x25 * x28
+    x30 = omega_x * omega_x
+    x31 = r_b * x30
+    x32 = x14 * x3 * x31
+    x33 = 1j * x32
+    x34 = x16 * x31 * x6
+    x35 = 1j * x34
+    x36 = 1j * x29
+    x37 = r_m * sigma
+    x38 = x2 * x2
+    x39 = 1 / x38
+    x40 = x5 * x5
+    x41 = 1 / x40
+    x42 = x39 * x41
+    x43 = 2 * omega_y * x30 * x37 * x42
+    x44 = x15 * x15
+    x45 = 1 / x44
+    x46 = x13 * x13
+    x47 = 2 / x46
+    x48 = x10 * x30 * x37 * x45 * x47
+    x49 = 1j * x43
+    x50 = 1j * x48
+    x51 = r_m * x7
+    x52 = 1j * x51
+    x53 = omega_y * x0
+    x54 = x23 * x23
+    x55 = 1 / x54
+    x56 = 1 / 8 * sigma
+    x57 = omega_phi * omega_phi
+    x58 = x1 * x10 * x55 * x56 / x57
+    x59 = 1j * x58
+    x60 = x30 * x30
+    x61 = omega_x * x60
+    x62 = 1 / 32 * x28 * x55 * (2 * omega_y * x30 + 2 * x53 - omega_phi * x0 - 3 * omega_phi * x30)
+    x63 = x52 * x62
+    x64 = r_b * x55
+    x65 = x10 * x11
+    x66 = 1 / 32 * r_m * x17 * x2 * x21 * x5 * x64 * x65
+    x67 = 1j * x66
+    x68 = x51 * x62
+    x69 = -x68
+    x70 = -x63
+    x71 = -x67
+    x72 = -x66
+    x73 = x56 * x64 * (2 * omega_y - omega_phi)
+    x74 = sigma * x31
+    x75 = x39 * x47 * x74 * (x2 - omega_phi)
+    x76 = 1j * x75
+    x77 = 2 * x41 * x45 * x74 * (omega_phi + x5)
+    x78 = 1j * x77
+    x79 = 1j * x73
+    x80 = omega_phi + sigma
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = 2
+    out[..., 3] = 2
+    out[..., 4] = 2
+    out[..., 5] = 2
+    out[..., 6] = x8
+    out[..., 7] = x18
+    out[..., 8] = x19
+    out[..., 9] = -x20
+    out[..., 10] = -x8
+    out[..., 11] = -x18
+    out[..., 12] = -x19
+    out[..., 13] = x20
+    out[..., 14] = -x27
+    out[..., 15] = -x26
+    out[..., 16] = x27
+    out[..., 17] = x26
+    out[..., 18] = -x29
+    out[..., 19] = x33
+    out[..., 20] = -x35
+    out[..., 21] = x36
+    out[..., 22] = x32
+    out[..., 23] = x34
+    out[..., 24] = x29
+    out[..., 25] = -x33
+    out[..., 26] = x35
+    out[..., 27] = -x36
+    out[..., 28] = -x32
+    out[..., 29] = -x34
+    out[..., 30] = -x43
+    out[..., 31] = -x48
+    out[..., 32] = -x49
+    out[..., 33] = x50
+    out[..., 34] = x43
+    out[..., 35] = x48
+    out[..., 36] = x49
+    out[..., 37] = -x50
+    out[..., 38] = 2 * 1j * r_b * r_m * x21 * x30 * x39 * x41 * x53 - 1 / 2 * r_b * x24 * x52 * x53
+    out[..., 39] = x59
+    out[..., 40] = x58
+    out[..., 41] = -x59
+    out[..., 42] = -x58
+    out[..., 43] = 8 * 1j * r_b * r_m * x17 * x23 * x42 * x61
+    out[..., 44] = x63
+    out[..., 45] = x67
+    out[..., 46] = x69
+    out[..., 47] = x66
+    out[..., 48] = x70
+    out[..., 49] = x71
+    out[..., 50] = x68
+    out[..., 51] = x72
+    out[..., 52] = -x73
+    out[..., 53] = x76
+    out[..., 54] = x78
+    out[..., 55] = x68
+    out[..., 56] = x72
+    out[..., 57] = x63
+    out[..., 58] = x67
+    out[..., 59] = x69
+    out[..., 60] = x66
+    out[..., 61] = x70
+    out[..., 62] = x71
+    out[..., 63] = x79
+    out[..., 64] = x75
+    out[..., 65] = -x77
+    out[..., 66] = x70
+    out[..., 67] = x71
+    out[..., 68] = x68
+    out[..., 69] = x72
+    out[..., 70] = x63
+    out[..., 71] = x67
+    out[..., 72] = x69
+    out[..., 73] = x66
+    out[..., 74] = x73
+    out[..., 75] = -x76
+    out[..., 76] = -x78
+    out[..., 77] = x69
+    out[..., 78] = x66
+    out[..., 79] = x70
+    out[..., 80] = x71
+    out[..., 81] = x68
+    out[..., 82] = x72
+    out[..., 83] = x63
+    out[..., 84] = x67
+    out[..., 85] = -x79
+    out[..., 86] = -x75
+    out[..., 87] = x77
+    out[..., 88] = omega_x
+    out[..., 89] = omega_y
+    out[..., 90] = x80
+    out[..., 91] = x80
+    out[..., 92] = x80
+    out[..., 93] = x80
+    out[..., 94] = sigma + x22
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -354,7 +647,8 @@ def growth_rate(
 
 def boundaries(
     *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
-) -> tuple[Any, Any]:
+    gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     This case cannot be unstable for any detuning: NaN everywhere.
@@ -371,12 +665,14 @@ def boundaries(
         Lateral frequency of the fuselage, rad/s, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -386,7 +682,12 @@ def boundaries(
     arguments = checked(
         PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, omega_phi=omega_phi,
     )
-    return evaluate_pair(no_edges, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        no_edges,
+        arguments,
+        ("r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -548,3 +849,157 @@ def slow_flow(
         omega_phi=omega_phi,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 6). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_y + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 6), in the order x, y, phi_1, phi_2, phi_3, phi_4; with gradient this and name
+        -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )

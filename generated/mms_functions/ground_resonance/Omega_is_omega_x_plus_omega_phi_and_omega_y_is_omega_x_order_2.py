@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 0d81cf056735ac21036199de3c92cce3e434a89a5d5f93ad40cb5607ff7167c2
+# Made from sha256 d52448678a6534e516d0c2f8643ae0fcddc3d6dd09214c77372769db615d37dc
 # Operations for each point: growth_rate 149, boundaries 1014, detuning 9, slow_flow_matrix 69,
-# characteristic_coefficients 161, slow_flow 162
+# characteristic_coefficients 161, slow_flow 162, motion 53
 """ground_resonance: Omega = omega_x + omega_phi + sigma_1 and omega_y = omega_x + sigma_2, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -20,7 +20,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import implicit_edges, zone
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -41,10 +45,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -90,6 +97,61 @@ VARIABLES: tuple[str, ...] = (
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    6,
+    (
+        ((0, 0), (1, 0), (2, 1), (3, 1), (4, 1), (5, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    6,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (0,)),
+        (0, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
@@ -634,6 +696,85 @@ def _slow_flow(
     out[..., 5] = -A_phi_4 * x22 - x45
 
 
+def _motion(out, sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
+    # Intermediates
+    x0 = omega_phi + omega_x
+    x1 = 1 / 4 / x0
+    x2 = 2 * omega_phi
+    x3 = omega_x + x2
+    x4 = x3 * x3
+    x5 = r_m * x1 * x4 / omega_phi
+    x6 = -x5
+    x7 = 1j * x5
+    x8 = -x7
+    x9 = omega_x * r_b * x1
+    x10 = -x9
+    x11 = 1j * x9
+    x12 = -x11
+    x13 = x0 * x0
+    x14 = 1 / 8 / x13
+    x15 = omega_phi * omega_phi
+    x16 = r_m * x14 * x3 / x15
+    x17 = omega_x * omega_x
+    x18 = sigma_1 * x16 * x17
+    x19 = 1j * x18
+    x20 = omega_x * sigma_2
+    x21 = omega_x * x16 * (omega_x * sigma_1 - sigma_2 * x2 - x20)
+    x22 = 1j * x21
+    x23 = r_b * x14
+    x24 = x23 * (omega_phi * sigma_1 + 2 * omega_x * sigma_1 - 3 * omega_phi * sigma_2 - 2 * x20)
+    x25 = sigma_1 * x23 * (omega_phi + 2 * omega_x)
+    x26 = 1j * x25
+    x27 = 1j * x24
+    x28 = omega_phi + sigma_1
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = 2
+    out[..., 3] = 2
+    out[..., 4] = 2
+    out[..., 5] = 2
+    out[..., 6] = x6
+    out[..., 7] = x7
+    out[..., 8] = x5
+    out[..., 9] = x8
+    out[..., 10] = x7
+    out[..., 11] = x5
+    out[..., 12] = x8
+    out[..., 13] = x6
+    out[..., 14] = x10
+    out[..., 15] = x12
+    out[..., 16] = x12
+    out[..., 17] = x9
+    out[..., 18] = x9
+    out[..., 19] = x11
+    out[..., 20] = x11
+    out[..., 21] = x10
+    out[..., 22] = x18
+    out[..., 23] = -x19
+    out[..., 24] = -x18
+    out[..., 25] = x19
+    out[..., 26] = -x22
+    out[..., 27] = -x21
+    out[..., 28] = x22
+    out[..., 29] = x21
+    out[..., 30] = x24
+    out[..., 31] = x26
+    out[..., 32] = x27
+    out[..., 33] = -x25
+    out[..., 34] = -x24
+    out[..., 35] = -x26
+    out[..., 36] = -x27
+    out[..., 37] = x25
+    out[..., 38] = omega_x
+    out[..., 39] = omega_x
+    out[..., 40] = x28
+    out[..., 41] = x28
+    out[..., 42] = x28
+    out[..., 43] = x28
+    out[..., 44] = sigma_1 + x0
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -680,7 +821,8 @@ def growth_rate(
 
 def boundaries(
     *, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
-) -> tuple[Any, Any]:
+    gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma_1.
 
     The interval of sigma_1 in which growth_rate is positive: where one of the polynomials with the
@@ -702,12 +844,14 @@ def boundaries(
         Longitudinal frequency of the fuselage, rad/s, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -717,7 +861,12 @@ def boundaries(
     arguments = checked(
         PARAMETERS, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_phi=omega_phi,
     )
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("sigma_2", "r_m", "r_b", "omega_x", "omega_phi") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -884,3 +1033,157 @@ def slow_flow(
         omega_phi=omega_phi,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike,
+    r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike,
+    r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 6). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike,
+    r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_phi: ArrayLike,
+    order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_y = omega_x + sigma_2, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 6), in the order x, y, phi_1, phi_2, phi_3, phi_4; with gradient this and name
+        -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
+        omega_phi=omega_phi,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma_1", "sigma_2", "r_m", "r_b", "omega_x", "omega_phi") if gradient else (),
+    )

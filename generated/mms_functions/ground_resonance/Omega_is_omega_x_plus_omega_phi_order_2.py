@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 487f41f989c793d6208c93f25693eb11263c88d11961f887698a0f7cd0e99e68
+# Made from sha256 db8f74572a7af0413d875ac885abcc1b59feb9cc9c19011503e36d45498aa91c
 # Operations for each point: growth_rate 75, boundaries 82, detuning 8, slow_flow_matrix 90,
-# characteristic_coefficients 110, slow_flow 155
+# characteristic_coefficients 110, slow_flow 155, motion 129
 """ground_resonance: Omega = omega_x + omega_phi + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -10,8 +10,9 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 It can be unstable: the discriminant of Gamma**2 - I*Gamma*sigma - omega_x**3*r_b*r_m/(4*omega_phi)
 is positive in an interval of the detuning.
 
-No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
-and a case of its own: 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
+No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
+which is a further resonance and a case of its own: 2*omega_phi + omega_x - omega_y, omega_x -
+omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -22,7 +23,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import implicit_edges
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -44,10 +49,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -90,6 +98,111 @@ VARIABLES: tuple[str, ...] = (
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    6,
+    (
+        ((0, 0), (2, 1), (3, 1), (4, 1), (5, 1)), ((1, 0),),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    6,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (0,)),
+        (0, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 1, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (2, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, r_m, r_b, omega_x, omega_y, omega_phi):
@@ -358,6 +471,190 @@ def _slow_flow(
     )
 
 
+def _motion(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = 1 / omega_phi
+    x1 = 2 * omega_phi + omega_x
+    x2 = x1 * x1
+    x3 = r_m * x2
+    x4 = omega_phi + omega_x
+    x5 = 1 / x4
+    x6 = 1 / 4 * x5
+    x7 = x0 * x3 * x6
+    x8 = 1j * x7
+    x9 = omega_x * omega_x
+    x10 = r_m * x9
+    x11 = omega_x + omega_y
+    x12 = 1 / x11
+    x13 = -omega_y
+    x14 = omega_x + x13
+    x15 = 1 / x14
+    x16 = x12 * x15
+    x17 = x10 * x16
+    x18 = 1j * x17
+    x19 = omega_y + x1
+    x20 = 1 / x19
+    x21 = x1 + x13
+    x22 = 1 / x21
+    x23 = x20 * x22
+    x24 = x23 * x3
+    x25 = 1j * x24
+    x26 = omega_y * omega_y
+    x27 = r_b * x26
+    x28 = x15 * x22 * x27
+    x29 = x12 * x20 * x27
+    x30 = omega_x * r_b
+    x31 = x30 * x6
+    x32 = 1j * x31
+    x33 = 1j * x28
+    x34 = 1j * x29
+    x35 = x4 * x4
+    x36 = 1 / x35
+    x37 = 1 / 8 * sigma
+    x38 = omega_phi * omega_phi
+    x39 = x1 * x10 * x36 * x37 / x38
+    x40 = 1j * x39
+    x41 = x11 * x11
+    x42 = 1 / x41
+    x43 = x14 * x14
+    x44 = 1 / x43
+    x45 = x42 * x44
+    x46 = 1j * x45
+    x47 = x26 * x26
+    x48 = omega_y * x47
+    x49 = 2 * omega_x
+    x50 = x26 * x49
+    x51 = r_m * sigma
+    x52 = x45 * x50 * x51
+    x53 = 1j * x52
+    x54 = x19 * x19
+    x55 = 1 / x54
+    x56 = x21 * x21
+    x57 = 2 / x56
+    x58 = x1 * x26 * x51 * x55 * x57
+    x59 = 1j * x58
+    x60 = r_m * x16
+    x61 = 1j * x60
+    x62 = omega_x * x9
+    x63 = 2 * x62
+    x64 = r_m * x0
+    x65 = 1 / 32 * x30 * x36 * (3 * omega_phi * x26 + omega_phi * x9 + x50 + x63)
+    x66 = x61 * x65
+    x67 = r_b * x36
+    x68 = x1 * x2
+    x69 = 1 / 32 * x11 * x14 * x23 * x64 * x67 * x68
+    x70 = 1j * x69
+    x71 = x60 * x65
+    x72 = -x71
+    x73 = -x66
+    x74 = -x70
+    x75 = -x69
+    x76 = sigma * x27
+    x77 = x44 * x57 * x76 * (x13 + x4)
+    x78 = 2 * x42 * x55 * x76 * (omega_y + x4)
+    x79 = x37 * x67 * (omega_phi + x49)
+    x80 = 1j * x79
+    x81 = 1j * x77
+    x82 = 1j * x78
+    x83 = omega_phi + sigma
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = 2
+    out[..., 3] = 2
+    out[..., 4] = 2
+    out[..., 5] = 2
+    out[..., 6] = -x7
+    out[..., 7] = x8
+    out[..., 8] = x7
+    out[..., 9] = -x8
+    out[..., 10] = -x18
+    out[..., 11] = x25
+    out[..., 12] = x17
+    out[..., 13] = x24
+    out[..., 14] = x18
+    out[..., 15] = -x25
+    out[..., 16] = -x17
+    out[..., 17] = -x24
+    out[..., 18] = -x28
+    out[..., 19] = -x29
+    out[..., 20] = -x32
+    out[..., 21] = x33
+    out[..., 22] = -x34
+    out[..., 23] = x31
+    out[..., 24] = x28
+    out[..., 25] = x29
+    out[..., 26] = x32
+    out[..., 27] = -x33
+    out[..., 28] = x34
+    out[..., 29] = -x31
+    out[..., 30] = x39
+    out[..., 31] = -x40
+    out[..., 32] = -x39
+    out[..., 33] = x40
+    out[..., 34] = -8 * r_b * r_m * x23 * x4 * x46 * x48
+    out[..., 35] = x53
+    out[..., 36] = -x59
+    out[..., 37] = -x52
+    out[..., 38] = -x58
+    out[..., 39] = -x53
+    out[..., 40] = x59
+    out[..., 41] = x52
+    out[..., 42] = x58
+    out[..., 43] = 1 / 2 * r_b * x5 * x61 * x62 - x27 * x46 * x63 * x64
+    out[..., 44] = x66
+    out[..., 45] = x70
+    out[..., 46] = x72
+    out[..., 47] = x69
+    out[..., 48] = x73
+    out[..., 49] = x74
+    out[..., 50] = x71
+    out[..., 51] = x75
+    out[..., 52] = x77
+    out[..., 53] = x78
+    out[..., 54] = x80
+    out[..., 55] = x71
+    out[..., 56] = x75
+    out[..., 57] = x66
+    out[..., 58] = x70
+    out[..., 59] = x72
+    out[..., 60] = x69
+    out[..., 61] = x73
+    out[..., 62] = x74
+    out[..., 63] = -x81
+    out[..., 64] = x82
+    out[..., 65] = -x79
+    out[..., 66] = x73
+    out[..., 67] = x74
+    out[..., 68] = x71
+    out[..., 69] = x75
+    out[..., 70] = x66
+    out[..., 71] = x70
+    out[..., 72] = x72
+    out[..., 73] = x69
+    out[..., 74] = -x77
+    out[..., 75] = -x78
+    out[..., 76] = -x80
+    out[..., 77] = x72
+    out[..., 78] = x69
+    out[..., 79] = x73
+    out[..., 80] = x74
+    out[..., 81] = x71
+    out[..., 82] = x75
+    out[..., 83] = x66
+    out[..., 84] = x70
+    out[..., 85] = x81
+    out[..., 86] = -x82
+    out[..., 87] = x79
+    out[..., 88] = omega_x
+    out[..., 89] = omega_y
+    out[..., 90] = x83
+    out[..., 91] = x83
+    out[..., 92] = x83
+    out[..., 93] = x83
+    out[..., 94] = sigma + x4
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -404,7 +701,8 @@ def growth_rate(
 
 def boundaries(
     *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
-) -> tuple[Any, Any]:
+    gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 2
@@ -424,12 +722,14 @@ def boundaries(
         Lateral frequency of the fuselage, rad/s, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -439,7 +739,12 @@ def boundaries(
     arguments = checked(
         PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, omega_phi=omega_phi,
     )
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -606,3 +911,157 @@ def slow_flow(
         omega_phi=omega_phi,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 6). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = omega_phi + omega_x + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 6), in the order x, y, phi_1, phi_2, phi_3, phi_4; with gradient this and name
+        -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )

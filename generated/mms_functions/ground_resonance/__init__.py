@@ -57,6 +57,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_x_plus_omega_phi_order_2": {
@@ -76,6 +79,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_y_plus_omega_phi_order_1": {
@@ -95,6 +101,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_y_plus_omega_phi_order_2": {
@@ -114,6 +123,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_x_minus_omega_phi_order_1": {
@@ -134,6 +146,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_x_minus_omega_phi_order_2": {
@@ -154,6 +169,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_y_minus_omega_phi_order_1": {
@@ -174,6 +192,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_y_minus_omega_phi_order_2": {
@@ -194,6 +215,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_phi_minus_omega_x_order_1": {
@@ -214,6 +238,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_phi_minus_omega_x_order_2": {
@@ -234,6 +261,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_phi_minus_omega_y_order_1": {
@@ -254,6 +284,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_phi_minus_omega_y_order_2": {
@@ -274,6 +307,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_x_plus_omega_phi_and_omega_y_is_omega_x_order_1": {
@@ -294,6 +330,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "Omega_is_omega_x_plus_omega_phi_and_omega_y_is_omega_x_order_2": {
@@ -314,6 +353,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_y_is_omega_x_order_2": {
@@ -333,6 +375,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "nonresonant_order_1": {
@@ -349,6 +394,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "nonresonant_order_2": {
@@ -365,6 +413,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
 }

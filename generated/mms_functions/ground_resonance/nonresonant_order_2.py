@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance.py: change that, not this file.
-# Made from sha256 4de4c730ea2bfea0d1158140c719dd4607f98b9fc7698746e7d941cbb2ccfe9f
+# Made from sha256 05ee6773aa1e23b66bce083433a5f02d000e89e1c63728b45328bca9442055a0
 # Operations for each point: growth_rate 0, slow_flow_matrix 92, characteristic_coefficients 96,
-# slow_flow 155
+# slow_flow 155, motion 114
 """ground_resonance: no resonance, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -9,9 +9,10 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 
 It cannot be unstable: one mode turns without growing.
 
-No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
-and a case of its own: Omega + omega_phi - omega_x, Omega + omega_phi - omega_y, Omega - omega_phi +
-omega_x, Omega - omega_phi + omega_y, Omega - omega_phi - omega_x, Omega - omega_phi - omega_y.
+No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
+which is a further resonance and a case of its own: Omega + omega_phi - omega_x, Omega + omega_phi -
+omega_y, Omega - omega_phi + omega_x, Omega - omega_phi + omega_y, Omega - omega_phi - omega_x,
+Omega - omega_phi - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """
@@ -22,6 +23,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -42,10 +47,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -86,6 +94,95 @@ VARIABLES: tuple[str, ...] = ("A_x", "A_y", "A_phi_1", "A_phi_2", "A_phi_3", "A_
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    6,
+    (
+        ((0, 0),), ((1, 0),), ((2, 0), (3, 0), (4, 0), (5, 0)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    6,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (0, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (0,)),
+        (0, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 0, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 1, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 2, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 2, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 3, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 3, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 4, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 4, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 5, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (1, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-1,)),
+        (1, 5, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (2, 1, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (0,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (-2,)),
+        (2, 5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0), (2,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(Omega, r_m, r_b, omega_x, omega_y, omega_phi):
@@ -272,6 +369,160 @@ def _slow_flow(
     out[..., 5] = A_phi_1 * x32 + A_phi_2 * x41 + A_phi_3 * x31 + A_phi_4 * x40
 
 
+def _motion(out, Omega, r_m, r_b, omega_x, omega_y, omega_phi):
+    # Intermediates
+    x0 = Omega - omega_phi
+    x1 = x0 * x0
+    x2 = r_m * x1
+    x3 = 1 / (omega_x + x0)
+    x4 = omega_phi - Omega
+    x5 = 1 / (-omega_x - x4)
+    x6 = x3 * x5
+    x7 = x2 * x6
+    x8 = Omega + omega_phi
+    x9 = x8 * x8
+    x10 = r_m * x9
+    x11 = 1 / (omega_x + x8)
+    x12 = 1 / (x8 - omega_x)
+    x13 = x11 * x12
+    x14 = x10 * x13
+    x15 = 1j * x7
+    x16 = 1j * x14
+    x17 = 1 / (omega_y + x0)
+    x18 = 1 / (-omega_y - x4)
+    x19 = x17 * x18
+    x20 = x19 * x2
+    x21 = 1j * x20
+    x22 = 1 / (omega_y + x8)
+    x23 = -omega_y
+    x24 = 1 / (x23 + x8)
+    x25 = x22 * x24
+    x26 = x10 * x25
+    x27 = 1j * x26
+    x28 = omega_y * omega_y
+    x29 = r_b * x28
+    x30 = x18 * x29
+    x31 = x24 * x30
+    x32 = x17 * x29
+    x33 = x22 * x32
+    x34 = omega_x * omega_x
+    x35 = r_b * x34
+    x36 = x35 * x5
+    x37 = x12 * x36
+    x38 = 1j * x37
+    x39 = x3 * x35
+    x40 = x11 * x39
+    x41 = 1j * x40
+    x42 = 1j * x31
+    x43 = 1j * x33
+    x44 = 8 * 1j * Omega * r_b * r_m / ((omega_x + omega_y) * (omega_x + x23))
+    x45 = x28 * x28
+    x46 = omega_y * x45
+    x47 = x34 * x34
+    x48 = omega_x * x47
+    x49 = 1 / Omega
+    x50 = 1 / 16 * r_m * x49
+    x51 = x39 * x50
+    x52 = x36 * x50
+    x53 = (
+        1j * x51 + 1j * x52 - 1 / 16 * 1j * r_b * r_m * x17 * x28 * x49
+        - 1 / 16 * 1j * r_b * r_m * x18 * x28 * x49
+    )
+    x54 = -x53
+    x55 = x35 * x50
+    x56 = x11 * x55
+    x57 = x29 * x50
+    x58 = x22 * x57
+    x59 = x12 * x55
+    x60 = x24 * x57
+    x61 = 1j * x56 + 1j * x59 - 1j * x58 - 1j * x60
+    x62 = x51 + x52 - x30 * x50 - x32 * x50
+    x63 = x56 + x59 - x58 - x60
+    x64 = -x61
+    x65 = -x62
+    x66 = -x63
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = 2
+    out[..., 3] = 2
+    out[..., 4] = 2
+    out[..., 5] = 2
+    out[..., 6] = -x7
+    out[..., 7] = -x14
+    out[..., 8] = -x15
+    out[..., 9] = x16
+    out[..., 10] = x7
+    out[..., 11] = x14
+    out[..., 12] = x15
+    out[..., 13] = -x16
+    out[..., 14] = -x21
+    out[..., 15] = x27
+    out[..., 16] = x20
+    out[..., 17] = x26
+    out[..., 18] = x21
+    out[..., 19] = -x27
+    out[..., 20] = -x20
+    out[..., 21] = -x26
+    out[..., 22] = -x31
+    out[..., 23] = -x33
+    out[..., 24] = x38
+    out[..., 25] = -x41
+    out[..., 26] = x42
+    out[..., 27] = -x43
+    out[..., 28] = x37
+    out[..., 29] = x40
+    out[..., 30] = x31
+    out[..., 31] = x33
+    out[..., 32] = -x38
+    out[..., 33] = x41
+    out[..., 34] = -x42
+    out[..., 35] = x43
+    out[..., 36] = -x37
+    out[..., 37] = -x40
+    out[..., 38] = -x19 * x25 * x44 * x46
+    out[..., 39] = -x13 * x44 * x48 * x6
+    out[..., 40] = x54
+    out[..., 41] = x61
+    out[..., 42] = x62
+    out[..., 43] = x63
+    out[..., 44] = x53
+    out[..., 45] = x64
+    out[..., 46] = x65
+    out[..., 47] = x66
+    out[..., 48] = x65
+    out[..., 49] = x66
+    out[..., 50] = x54
+    out[..., 51] = x61
+    out[..., 52] = x62
+    out[..., 53] = x63
+    out[..., 54] = x53
+    out[..., 55] = x64
+    out[..., 56] = x53
+    out[..., 57] = x64
+    out[..., 58] = x65
+    out[..., 59] = x66
+    out[..., 60] = x54
+    out[..., 61] = x61
+    out[..., 62] = x62
+    out[..., 63] = x63
+    out[..., 64] = x62
+    out[..., 65] = x63
+    out[..., 66] = x53
+    out[..., 67] = x64
+    out[..., 68] = x65
+    out[..., 69] = x66
+    out[..., 70] = x54
+    out[..., 71] = x61
+    out[..., 72] = omega_x
+    out[..., 73] = omega_y
+    out[..., 74] = omega_phi
+    out[..., 75] = omega_phi
+    out[..., 76] = omega_phi
+    out[..., 77] = omega_phi
+    out[..., 78] = Omega
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -317,8 +568,8 @@ def growth_rate(
 
 def boundaries(
     *, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
-    omega_phi: ArrayLike,
-) -> tuple[Any, Any]:
+    omega_phi: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of a detuning.
 
     This case cannot be unstable for any detuning: NaN everywhere.
@@ -337,12 +588,14 @@ def boundaries(
         Lateral frequency of the fuselage, rad/s, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -353,7 +606,12 @@ def boundaries(
         PARAMETERS, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
         omega_phi=omega_phi,
     )
-    return evaluate_pair(no_edges, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        no_edges,
+        arguments,
+        ("Omega", "r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -515,3 +773,157 @@ def slow_flow(
         omega_phi=omega_phi,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 6), *arguments], (6,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 6), in the order of COORDINATES.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 6). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, Omega: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_y: ArrayLike, omega_phi: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 6), in the order of COORDINATES; NaN gives NaN.
+    Omega : array_like
+        Rotor speed, rad/s, > 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 6), in the order x, y, phi_1, phi_2, phi_3, phi_4; with gradient this and name
+        -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, Omega=Omega, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
+        omega_phi=omega_phi,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("Omega", "r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )

@@ -33,7 +33,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x", "y"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_y_is_omega_x_order_4": {
         "relation": "omega_y = omega_x + sigma",
@@ -42,7 +49,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x", "y"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_y_is_omega_x_and_Omega_is_omega_x_order_2": {
         "relation": "omega_y = omega_x + sigma_1 and Omega = omega_x + sigma_2",
@@ -51,7 +65,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x", "y"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_1.py: change that, not this file.
-# Made from sha256 1b04841742ecf85e5cb9ae12cc3aca38ef428e67562985fa236e5f3575157c18
-# Operations for each point: slow_flow 40
+# Made from sha256 4e2ead2b51c25d350372cf15615f0328dd065d76f7cce8f9f49f7ae2af4090cc
+# Operations for each point: slow_flow 40, coefficients 9, motion 10
 """internal_resonance_1_1: omega_y = omega_x + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Miles, Quarterly of Applied Mathematics 20 (1962) 21-32
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._many_amplitudes import equilibria_of_many
+from .._motion import Motion, response_at
+from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,12 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -49,6 +58,8 @@ PARAMETERS = {
     "L": ("positive", "m", "length"),
     "omega_x": ("positive", "rad/s", "frequency of small swings along x"),
     "mu": ("nonnegative", "1/s", "damping"),
+    "f": ("nonnegative", "1/s^2", "acceleration of the pivot over the length"),
+    "Omega": ("positive", "rad/s", "frequency of the pivot"),
 }
 
 #: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
@@ -62,6 +73,30 @@ VARIABLES: tuple[str, ...] = ()
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+        (1, (1, 1, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 1, 0)),
+    ),
+    ((1, 1),),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0), (0,)), (0, 1, (0, 0, 0, 1, 0, 0), (0,)),
+        (2, 0, (0, 0, 0, 0, 0, 0), (1,)), (2, 0, (1, 0, 0, 2, 0, 0), (0,)),
+        (2, 0, (3, 0, 0, 0, 0, 0), (0,)), (2, 1, (0, 0, 0, 3, 0, 0), (0,)),
+        (2, 1, (2, 0, 0, 1, 0, 0), (0,)),
+    ),
+    1,
+)
 
 
 def _slow_flow(out, A_x, A_y, sigma, L, omega_x, mu):
@@ -83,6 +118,41 @@ def _slow_flow(out, A_x, A_y, sigma, L, omega_x, mu):
         1 / 2 * 1j * A_x * A_y * omega_x * x2 * x3 + A_y * (1j * sigma - mu) - 3 / 4 * x6 * x8
         - 1 / 4 * x7 * x8
     )
+
+
+def _coefficients(out, sigma, L, omega_x, mu):
+    # Intermediates
+    x0 = L * L
+    x1 = 1j * omega_x / x0
+    x2 = -3 / 4 * x1
+    x3 = 1 / 2 * x1
+    x4 = -1 / 4 * x1
+    # Outputs
+    out[..., 0] = x2
+    out[..., 1] = -mu
+    out[..., 2] = x3
+    out[..., 3] = x4
+    out[..., 4] = 1j * sigma - mu
+    out[..., 5] = x4
+    out[..., 6] = x3
+    out[..., 7] = x2
+
+
+def _motion(out, sigma, L, omega_x, mu, f, Omega):
+    # Intermediates
+    x0 = L * L
+    x1 = -3 / 8 / x0
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = L * f / ((omega_x - Omega) * (Omega + omega_x))
+    out[..., 3] = x1
+    out[..., 4] = x1
+    out[..., 5] = x1
+    out[..., 6] = x1
+    out[..., 7] = omega_x
+    out[..., 8] = omega_x
+    out[..., 9] = Omega
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -120,3 +190,223 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def equilibria(
+    *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike, gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN. B_j exp(i k_j θ) moves along a circle of
+    further ones for k = (1, 1); of each circle one point is given, and the rate at which it drifts,
+    B_j exp(i k_j ρ t).
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 2), drift (..., count, 1) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
+    return equilibria_at(
+        equilibria_of_many,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "L", "omega_x", "mu") if gradient else (),
+    )
+
+
+def frequency_response(
+    *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike, over: str = "sigma",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "L", "omega_x", "mu"),
+        over,
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
+    little as they can; an equilibrium then is at rest.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
+    a zero, which is left out.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike,
+    mu: ArrayLike, f: ArrayLike, Omega: ArrayLike, order: int | None = None,
+    drift: ArrayLike | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. With a drift, constant ones turn along the
+    symmetries of the slow flow. NaN where a harmonic resonates itself. Derivatives are taken with
+    these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how much is left
+    out where that is more than a tenth of the motion, estimated from the harmonics of each order
+    beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    f : array_like
+        Acceleration of the pivot over the length, 1/s^2, >= 0.
+    Omega : array_like
+        Frequency of the pivot, rad/s, > 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    drift : array_like, optional
+        Of an equilibrium that drifts, shape (..., 1), rad/s: as `equilibria` gives it.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order x, y; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu, f=f, Omega=Omega)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        drift=drift,
+        slow=(_FLOW, _coefficients, 4),
+        names=("sigma", "L", "omega_x", "mu", "f", "Omega") if gradient else (),
+    )

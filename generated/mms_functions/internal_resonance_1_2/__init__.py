@@ -36,7 +36,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_two_omega_1_order_2": {
         "relation": "omega_2 = 2*omega_1 + sigma",
@@ -45,7 +52,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_two_omega_1_and_Omega_is_omega_2_order_1": {
         "relation": "omega_2 = 2*omega_1 + sigma_1 and Omega = omega_2 + sigma_2",
@@ -54,7 +68,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_two_omega_1_and_Omega_is_omega_2_order_2": {
         "relation": "omega_2 = 2*omega_1 + sigma_1 and Omega = omega_2 + sigma_2",
@@ -63,7 +84,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_two_omega_1_and_Omega_is_omega_1_order_1": {
         "relation": "omega_2 = 2*omega_1 + sigma_1 and Omega = omega_1 + sigma_2",
@@ -72,7 +100,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_two_omega_1_and_Omega_is_omega_1_order_2": {
         "relation": "omega_2 = 2*omega_1 + sigma_1 and Omega = omega_1 + sigma_2",
@@ -81,7 +116,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_2.py: change that, not this file.
-# Made from sha256 6242dccd4a4192318923c49ca296f9e73f321de42696ca0c49c4ed9c548d4b6b
-# Operations for each point: slow_flow 30
+# Made from sha256 5b8228c1dcfe12c94112fcbfd6c7d70b8171118147114a97d77f045e8922c1b5
+# Operations for each point: slow_flow 30, coefficients 18, motion 15
 """internal_resonance_1_2: omega_2 = 2*omega_1 + sigma_1 and Omega = omega_2 + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 6
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._many_amplitudes import equilibria_of_many
+from .._motion import Motion, response_at
+from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,12 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -53,6 +62,7 @@ PARAMETERS = {
     "alpha_1": ("positive", "1/(m s^2)", "coupling in the first equation"),
     "alpha_2": ("positive", "1/(m s^2)", "coupling in the second equation"),
     "F_2": ("nonnegative", "m/s^2", "force on the faster oscillator, over its mass"),
+    "F_1": ("nonnegative", "m/s^2", "force on the slower oscillator, over its mass"),
 }
 
 #: λ_j of A_j = B_j exp(i λ_j t), as coordinate -> {detuning: coefficient}
@@ -66,6 +76,28 @@ VARIABLES: tuple[str, ...] = ()
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 1, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (1, (0, 0, 0, 0, 0, 0)),
+        (1, (0, 0, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 0, 0)),
+    ),
+    (),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (1, 0, 0, 0, 0, 0), (0,)), (0, 1, (0, 0, 0, 1, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 0, 0, 0), (1,)), (1, 0, (1, 0, 0, 1, 0, 0), (0,)),
+        (1, 1, (1, 1, 0, 0, 0, 0), (0,)),
+    ),
+    1,
+)
 
 
 def _slow_flow(out, A_u_1, A_u_2, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2):
@@ -83,6 +115,33 @@ def _slow_flow(out, A_u_1, A_u_2, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1
         A_u_2 * (1j * sigma_1 - mu_2) - 1 / 8 * F_2 * x2 - 1 / 4 * alpha_2 * x2 * x3
         - x1 * (sigma_1 + sigma_2)
     )
+
+
+def _coefficients(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2):
+    # Intermediates
+    x0 = 1j / omega_1
+    # Outputs
+    out[..., 0] = -1 / 2 * alpha_1 * x0
+    out[..., 1] = -mu_1 - 1j * (1 / 2 * sigma_1 + 1 / 2 * sigma_2)
+    out[..., 2] = -1 / 8 * F_2 * x0
+    out[..., 3] = 1j * sigma_1 - mu_2 - 1j * (sigma_1 + sigma_2)
+    out[..., 4] = -1 / 4 * alpha_2 * x0
+
+
+def _motion(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2, F_1):
+    # Intermediates
+    x0 = omega_1 * omega_1
+    x1 = 1 / x0
+    x2 = 2 * omega_1 + sigma_1 + sigma_2
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2
+    out[..., 2] = -F_1 * x1 / 3
+    out[..., 3] = -1 / 4 * alpha_1 * x1
+    out[..., 4] = 1 / 2 * alpha_2 * x1
+    out[..., 5] = omega_1 + 1 / 2 * sigma_1 + 1 / 2 * sigma_2
+    out[..., 6] = x2
+    out[..., 7] = x2
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -132,3 +191,280 @@ def slow_flow(
         alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def equilibria(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike,
+    alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike, gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_2 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
+        alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
+    )
+    return equilibria_at(
+        equilibria_of_many,
+        _FLOW,
+        _coefficients,
+        arguments,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "F_2",
+        )
+        if gradient
+        else (),
+    )
+
+
+def frequency_response(
+    *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike,
+    alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike, over: str = "sigma_1",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_2 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
+        alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
+    )
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "F_2"),
+        over,
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
+    mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_2 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
+        alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
+    )
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
+    mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t).
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_2 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
+        alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
+    )
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike,
+    omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike,
+    F_2: ArrayLike, F_1: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^1). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_2 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    F_1 : array_like
+        Force on the slower oscillator, over its mass, m/s^2, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 1; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order u_1, u_2; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
+        alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2, F_1=F_1,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        slow=(_FLOW, _coefficients, 8),
+        names=(
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "F_2", "F_1",
+        )
+        if gradient
+        else (),
+    )

@@ -35,7 +35,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_2_order_1": {
         "relation": "omega_2 = 3*omega_1 + sigma_1 and Omega = omega_2 + sigma_2",
@@ -44,7 +51,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_2_order_2": {
         "relation": "omega_2 = 3*omega_1 + sigma_1 and Omega = omega_2 + sigma_2",
@@ -53,7 +67,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_1_order_1": {
         "relation": "omega_2 = 3*omega_1 + sigma_1 and Omega = omega_1 + sigma_2",
@@ -62,7 +83,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_1_order_2": {
         "relation": "omega_2 = 3*omega_1 + sigma_1 and Omega = omega_1 + sigma_2",
@@ -71,7 +99,14 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u_1", "u_2"),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

@@ -49,6 +49,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_is_Omega_over_2_order_2": {
@@ -69,6 +72,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_is_Omega_over_2_order_4": {
@@ -89,6 +95,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_is_Omega_order_2": {
@@ -108,6 +117,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_is_Omega_order_4": {
@@ -127,6 +139,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_is_three_Omega_over_2_order_3": {
@@ -146,6 +161,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "omega_is_three_Omega_over_2_order_4": {
@@ -165,6 +183,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
     "nonresonant_order_4": {
@@ -181,6 +202,9 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow_matrix",
             "characteristic_coefficients",
             "slow_flow",
+            "evolution",
+            "beating",
+            "response",
         ),
     },
 }

@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 f9826836b47138014a5a041480d59178aa04f8df2dc692b362a81ca2d3050e34
+# Made from sha256 26fb3c76c4d0f50d24bbfd68bb609521de2cc99e46affb6c4938e902bc920709
 # Operations for each point: growth_rate 0, slow_flow_matrix 60, characteristic_coefficients 62,
-# slow_flow 118
+# slow_flow 118, motion 160
 """mathieu: no resonance, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -9,8 +9,8 @@ scales through order 4 in ε, of x. Results are written at ε = 1.
 
 It cannot be unstable: one mode decays at the rate mu.
 
-No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
-and a case of its own: -Omega + 2*omega, -Omega + omega.
+No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
+which is a further resonance and a case of its own: -Omega + 2*omega, -Omega + omega.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; NIST DLMF, section 28.6
 """
@@ -21,6 +21,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -41,10 +45,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -76,6 +83,28 @@ VARIABLES: tuple[str, ...] = ("A_x",)
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    1,
+    (
+        ((0, 0),),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), (0,)), (1, 0, (1, 0, 0), (-1,)), (1, 0, (1, 0, 0), (1,)),
+        (2, 0, (1, 0, 0), (-2,)), (2, 0, (1, 0, 0), (2,)), (3, 0, (1, 0, 0), (-3,)),
+        (3, 0, (1, 0, 0), (-1,)), (3, 0, (1, 0, 0), (1,)), (3, 0, (1, 0, 0), (3,)),
+        (4, 0, (1, 0, 0), (-4,)), (4, 0, (1, 0, 0), (-2,)), (4, 0, (1, 0, 0), (2,)),
+        (4, 0, (1, 0, 0), (4,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(omega, Omega, q, mu):
@@ -177,6 +206,94 @@ def _slow_flow(out, A_x, omega, Omega, q, mu):
     )
 
 
+def _motion(out, omega, Omega, q, mu):
+    # Intermediates
+    x0 = -2 * omega
+    x1 = -Omega - x0
+    x2 = 1 / x1
+    x3 = q * x2
+    x4 = 2 / Omega
+    x5 = 2 * omega
+    x6 = Omega + x5
+    x7 = 1 / x6
+    x8 = q * x7
+    x9 = -omega
+    x10 = -Omega - x9
+    x11 = 1 / x10
+    x12 = x11 * x2
+    x13 = q * q
+    x14 = Omega * Omega
+    x15 = 1 / 2 * x13 / x14
+    x16 = Omega + omega
+    x17 = 1 / x16
+    x18 = x17 * x7
+    x19 = 3 * Omega
+    x20 = 1 / (-x0 - x19)
+    x21 = x12 * x20
+    x22 = Omega * x14
+    x23 = 1 / x22
+    x24 = q * x13
+    x25 = x23 * x24 / 6
+    x26 = 8 * x13
+    x27 = x22 * x26
+    x28 = mu * mu
+    x29 = 4 * x28
+    x30 = x14 * x14
+    x31 = Omega * x30
+    x32 = x29 * x31
+    x33 = 16 * x28
+    x34 = omega * omega
+    x35 = x22 * x33 * x34
+    x36 = Omega * x26 * x34
+    x37 = omega * x34
+    x38 = x13 * x37
+    x39 = omega * x13
+    x40 = x14 * x33 * x37 + 15 * x14 * x39 + 4 * x38 - omega * x29 * x30
+    x41 = 1 / omega
+    x42 = x1 * x1
+    x43 = x1 * x42
+    x44 = x41 / x43
+    x45 = 1 / 2 * x23
+    x46 = x6 * x6
+    x47 = x46 * x6
+    x48 = x41 / x47
+    x49 = 1 / (x19 + x5)
+    x50 = x18 * x49
+    x51 = 2 * Omega
+    x52 = 1 / x30
+    x53 = x13 * x13
+    x54 = x52 * x53 / 48
+    x55 = 216 * x22 * x28 * x37
+    x56 = 148 * x22 * x39
+    x57 = 56 * Omega * x38
+    x58 = 54 * omega * x28 * x31
+    x59 = x34 * x34
+    x60 = x14 * x30
+    x61 = (
+        128 * x13 * x14 * x34 + 54 * x13 * x30 + 16 * x13 * x59 + 96 * x14 * x28 * x59
+        + 84 * x28 * x30 * x34 - 27 * x28 * x60
+    )
+    x62 = x13 * x52 / 12
+    x63 = x10 * x10
+    x64 = x16 * x16
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = x3 * x4
+    out[..., 2] = -x4 * x8
+    out[..., 3] = x12 * x15
+    out[..., 4] = x15 * x18
+    out[..., 5] = x21 * x25
+    out[..., 6] = x11 * x44 * x45 * x8 * (x32 + x40 - x27 - x35 - x36)
+    out[..., 7] = -x17 * x3 * x45 * x48 * (x27 + x35 + x36 + x40 - x32)
+    out[..., 8] = -x25 * x50
+    out[..., 9] = x21 * x54 / (-x51 - x9)
+    out[..., 10] = x20 * x44 * x62 * x7 * (x58 + x61 - x55 - x56 - x57) / x63
+    out[..., 11] = x2 * x48 * x49 * x62 * (x55 + x56 + x57 + x61 - x58) / x64
+    out[..., 12] = x50 * x54 / (omega + x51)
+    out[..., 13] = omega
+    out[..., 14] = Omega
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -211,8 +328,8 @@ def growth_rate(*, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
 
 
 def boundaries(
-    *, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
-) -> tuple[Any, Any]:
+    *, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of a detuning.
 
     This case cannot be unstable for any detuning: NaN everywhere.
@@ -227,12 +344,14 @@ def boundaries(
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -240,7 +359,12 @@ def boundaries(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega=omega, Omega=Omega, q=q, mu=mu)
-    return evaluate_pair(no_edges, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        no_edges,
+        arguments,
+        ("omega", "Omega", "q", "mu") if gradient else (),
+    )
 
 
 def critical_speeds(*, omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
@@ -367,3 +491,133 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, omega=omega, Omega=Omega, q=q, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    omega : array_like
+        Natural frequency, rad/s, > 0.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega=omega, Omega=Omega, q=q, mu=mu)
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    omega : array_like
+        Natural frequency, rad/s, > 0.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 1). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega=omega, Omega=Omega, q=q, mu=mu)
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^4). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    omega : array_like
+        Natural frequency, rad/s, > 0.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 4; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order x; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega=omega, Omega=Omega, q=q, mu=mu)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("omega", "Omega", "q", "mu") if gradient else (),
+    )

@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 c4d2d23d13c5e073d9dd69cc0fb8c7d02dfb2d14ae71571cdf1bba09b057db5f
+# Made from sha256 9bef71e02237d29c981b9f9a21f1b66da6926f4fb244148ff5b9fd37b52db4dc
 # Operations for each point: growth_rate 101, boundaries 84, resonance 0, slow_flow_matrix 40,
-# characteristic_coefficients 101, slow_flow 46
+# characteristic_coefficients 101, slow_flow 46, motion 66
 """mathieu: omega = Omega + sigma, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -19,7 +19,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges, zone
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -40,10 +44,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -75,6 +82,29 @@ VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    1,
+    (
+        ((0, 0), (0, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), (0,)), (1, 0, (1, 0, 0), (-1,)), (1, 0, (1, 0, 0), (1,)),
+        (2, 0, (1, 0, 0), (-1,)), (2, 0, (1, 0, 0), (1,)), (2, 0, (1, 0, 0), (2,)),
+        (3, 0, (1, 0, 0), (-3,)), (3, 0, (1, 0, 0), (-1,)), (3, 0, (1, 0, 0), (1,)),
+        (3, 0, (1, 0, 0), (2,)), (3, 0, (1, 0, 0), (3,)), (4, 0, (1, 0, 0), (-4,)),
+        (4, 0, (1, 0, 0), (-3,)), (4, 0, (1, 0, 0), (-1,)), (4, 0, (1, 0, 0), (1,)),
+        (4, 0, (1, 0, 0), (2,)), (4, 0, (1, 0, 0), (3,)), (4, 0, (1, 0, 0), (4,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, Omega, q, mu):
@@ -261,6 +291,54 @@ def _slow_flow(out, A_x, sigma, Omega, q, mu):
     )
 
 
+def _motion(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = q / x0
+    x2 = q * sigma
+    x3 = Omega * x0
+    x4 = x2 / x3
+    x5 = x0 * x0
+    x6 = 1 / x5
+    x7 = q * q
+    x8 = x0 * x5
+    x9 = 1 / x8
+    x10 = q * x7
+    x11 = x10 * x9
+    x12 = sigma * sigma
+    x13 = x0 * x12
+    x14 = Omega * x5
+    x15 = x5 * x5
+    x16 = 1 / x15
+    x17 = x7 * x7
+    x18 = x16 * x17
+    x19 = x3 * x5
+    x20 = 1 / x19
+    x21 = sigma * x10 * x20
+    x22 = x2 * x20
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = 2 * x1
+    out[..., 2] = -2 * x1 / 3
+    out[..., 3] = -4 * x4
+    out[..., 4] = 4 * x4 / 9
+    out[..., 5] = x6 * x7 / 12
+    out[..., 6] = -4 * x11 / 9
+    out[..., 7] = 8 * q * x12 * x6
+    out[..., 8] = -q * x9 * (32 * x13 + 35 * x7) / 108
+    out[..., 9] = -7 * sigma * x7 / (72 * x14)
+    out[..., 10] = -x11 / 180
+    out[..., 11] = 25 * x18 / 288
+    out[..., 12] = 8 * x21 / 27
+    out[..., 13] = -4 * x22 * (12 * x13 + x7) / 3
+    out[..., 14] = x22 * (128 * x13 + 897 * x7) / 648
+    out[..., 15] = x16 * x7 * (185 * x13 + 134 * x7) / 2160
+    out[..., 16] = 47 * x21 / 5400
+    out[..., 17] = x18 / 4320
+    out[..., 18] = Omega
+    out[..., 19] = Omega
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -294,7 +372,7 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
     return evaluate(_growth_rate, arguments)
 
 
-def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False) -> Any:
     """Both edges of the unstable interval of sigma.
 
     The interval of sigma in which growth_rate is positive: where one of the polynomials with the
@@ -312,12 +390,14 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, A
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -325,7 +405,12 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, A
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("Omega", "q", "mu") if gradient else (),
+    )
 
 
 def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
@@ -453,3 +538,133 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 1). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^4). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 4; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order x; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "Omega", "q", "mu") if gradient else (),
+    )

@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 023f54fcc8562d5a5e6288c11e62e98efdad4ad5bceeb37dd18b009b6598b4fb
+# Made from sha256 a4ca2374006f8598a01f12ed69e977c20407f2e08366cea2a1f606e1b69e6adb
 # Operations for each point: growth_rate 172, boundaries 157, resonance 1, slow_flow_matrix 55,
-# characteristic_coefficients 172, slow_flow 60
+# characteristic_coefficients 172, slow_flow 60, motion 74
 """mathieu: omega = 1/2*Omega + sigma, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -19,7 +19,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges, zone
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -40,10 +44,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -75,6 +82,29 @@ VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    1,
+    (
+        ((0, 0), (0, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), (0,)), (1, 0, (1, 0, 0), (1,)), (2, 0, (1, 0, 0), (-2,)),
+        (2, 0, (1, 0, 0), (1,)), (2, 0, (1, 0, 0), (2,)), (3, 0, (1, 0, 0), (-3,)),
+        (3, 0, (1, 0, 0), (-2,)), (3, 0, (1, 0, 0), (1,)), (3, 0, (1, 0, 0), (2,)),
+        (3, 0, (1, 0, 0), (3,)), (4, 0, (1, 0, 0), (-4,)), (4, 0, (1, 0, 0), (-3,)),
+        (4, 0, (1, 0, 0), (-2,)), (4, 0, (1, 0, 0), (1,)), (4, 0, (1, 0, 0), (2,)),
+        (4, 0, (1, 0, 0), (3,)), (4, 0, (1, 0, 0), (4,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, Omega, q, mu):
@@ -329,6 +359,55 @@ def _slow_flow(out, A_x, sigma, Omega, q, mu):
     )
 
 
+def _motion(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = q * q
+    x2 = x0 * x0
+    x3 = x1 / x2
+    x4 = q * sigma
+    x5 = Omega * x0
+    x6 = x0 * x2
+    x7 = 1 / x6
+    x8 = q * x1
+    x9 = x7 * x8
+    x10 = Omega * x2
+    x11 = sigma * x1 / x10
+    x12 = 12 * x0
+    x13 = mu * mu
+    x14 = sigma * sigma
+    x15 = x2 * x2
+    x16 = 1 / x15
+    x17 = x1 * x1
+    x18 = x16 * x17
+    x19 = x2 * x5
+    x20 = 1 / x19
+    x21 = sigma * x20 * x8
+    x22 = x0 * x13
+    x23 = x0 * x14
+    x24 = x1 * x16
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = -q / x0
+    out[..., 2] = -3 / 2 * x3
+    out[..., 3] = x4 / x5
+    out[..., 4] = x3 / 6
+    out[..., 5] = 7 * x9 / 18
+    out[..., 6] = -3 / 2 * x11
+    out[..., 7] = -q * x7 * (x12 * x13 + x12 * x14 - 47 * x1) / 12
+    out[..., 8] = -5 * x11 / 18
+    out[..., 9] = -x9 / 72
+    out[..., 10] = -35 * x18 / 864
+    out[..., 11] = 11 * x21 / 27
+    out[..., 12] = x24 * (193 * x1 + 108 * x22 - 324 * x23) / 72
+    out[..., 13] = x20 * x4 * (144 * x22 + 36 * x23 - 253 * x1) / 36
+    out[..., 14] = x24 * (120 * x22 + 152 * x23 - 499 * x1) / 432
+    out[..., 15] = 13 * x21 / 432
+    out[..., 16] = x18 / 1440
+    out[..., 17] = 1 / 2 * Omega
+    out[..., 18] = Omega
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -362,7 +441,7 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
     return evaluate(_growth_rate, arguments)
 
 
-def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False) -> Any:
     """Both edges of the unstable interval of sigma.
 
     The interval of sigma in which growth_rate is positive: where one of the polynomials with the
@@ -380,12 +459,14 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, A
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -393,7 +474,12 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, A
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("Omega", "q", "mu") if gradient else (),
+    )
 
 
 def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
@@ -521,3 +607,133 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 1). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^4). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, omega = Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 4; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order x; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "Omega", "q", "mu") if gradient else (),
+    )

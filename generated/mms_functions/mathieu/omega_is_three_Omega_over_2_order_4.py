@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/mathieu.py: change that, not this file.
-# Made from sha256 c7cf239b7033f229dcd00466c1ed19be8ff5b7d2768ec857c721fa5f19d0da38
+# Made from sha256 576283e9374883e4fa7b3b9d75925befe2626c06f673b33cc3c4a9e20a0e4f11
 # Operations for each point: growth_rate 78, boundaries 63, resonance 1, slow_flow_matrix 35,
-# characteristic_coefficients 78, slow_flow 39
+# characteristic_coefficients 78, slow_flow 39, motion 72
 """mathieu: omega = 3/2*Omega + sigma, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -19,7 +19,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges, zone
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -40,10 +44,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -75,6 +82,30 @@ VARIABLES: tuple[str, ...] = ("A_x", "conj(A_x)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    1,
+    (
+        ((0, 0), (0, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), (0,)), (1, 0, (1, 0, 0), (-1,)), (1, 0, (1, 0, 0), (1,)),
+        (2, 0, (1, 0, 0), (-2,)), (2, 0, (1, 0, 0), (-1,)), (2, 0, (1, 0, 0), (1,)),
+        (2, 0, (1, 0, 0), (2,)), (3, 0, (1, 0, 0), (-2,)), (3, 0, (1, 0, 0), (-1,)),
+        (3, 0, (1, 0, 0), (1,)), (3, 0, (1, 0, 0), (2,)), (3, 0, (1, 0, 0), (3,)),
+        (4, 0, (1, 0, 0), (-4,)), (4, 0, (1, 0, 0), (-2,)), (4, 0, (1, 0, 0), (-1,)),
+        (4, 0, (1, 0, 0), (1,)), (4, 0, (1, 0, 0), (2,)), (4, 0, (1, 0, 0), (3,)),
+        (4, 0, (1, 0, 0), (4,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, Omega, q, mu):
@@ -229,6 +260,56 @@ def _slow_flow(out, A_x, sigma, Omega, q, mu):
     )
 
 
+def _motion(out, sigma, Omega, q, mu):
+    # Intermediates
+    x0 = Omega * Omega
+    x1 = q / x0
+    x2 = q * q
+    x3 = x0 * x0
+    x4 = x2 / x3
+    x5 = q * sigma
+    x6 = Omega * x0
+    x7 = x5 / x6
+    x8 = Omega * x3
+    x9 = sigma * x2 / x8
+    x10 = sigma * sigma
+    x11 = x0 * x10
+    x12 = x0 * x3
+    x13 = 1 / x12
+    x14 = q * x13
+    x15 = q * x2
+    x16 = x3 * x3
+    x17 = 1 / x16
+    x18 = x2 * x2
+    x19 = x17 * x18
+    x20 = x17 * x2
+    x21 = x3 * x6
+    x22 = 1 / x21
+    x23 = x22 * x5
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = x1
+    out[..., 2] = -1 / 2 * x1
+    out[..., 3] = 1 / 2 * x4
+    out[..., 4] = -x7
+    out[..., 5] = 1 / 4 * x7
+    out[..., 6] = x4 / 20
+    out[..., 7] = -3 / 2 * x9
+    out[..., 8] = x14 * (24 * x11 + 5 * x2) / 24
+    out[..., 9] = -x14 * (60 * x11 + 31 * x2) / 480
+    out[..., 10] = -9 * x9 / 200
+    out[..., 11] = -x13 * x15 / 360
+    out[..., 12] = -5 * x19 / 96
+    out[..., 13] = x20 * (42 * x11 + x2) / 12
+    out[..., 14] = -x23 * (144 * x11 + 131 * x2) / 144
+    out[..., 15] = x23 * (900 * x11 + 2327 * x2) / 14400
+    out[..., 16] = x20 * (2196 * x11 + 695 * x2) / 72000
+    out[..., 17] = 37 * sigma * x15 * x22 / 10800
+    out[..., 18] = x19 / 10080
+    out[..., 19] = 3 / 2 * Omega
+    out[..., 20] = Omega
+
+
 # --- functions ------------------------------------------------------------------------------------
 
 
@@ -262,7 +343,7 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
     return evaluate(_growth_rate, arguments)
 
 
-def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False) -> Any:
     """Both edges of the unstable interval of sigma.
 
     The interval of sigma in which growth_rate is positive: where one of the polynomials with the
@@ -280,12 +361,14 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, A
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -293,7 +376,12 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, A
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("Omega", "q", "mu") if gradient else (),
+    )
 
 
 def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
@@ -421,3 +509,133 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = 3*Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 1), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, omega = 3*Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 1). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^4). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, omega = 3*Omega/2 + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 4; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order x; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=("sigma", "Omega", "q", "mu") if gradient else (),
+    )

@@ -32,7 +32,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "Omega_is_two_omega_order_2": {
         "relation": "Omega = 2*omega + sigma",
@@ -41,7 +49,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("u",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/pendulum.py: change that, not this file.
-# Made from sha256 3bbf5059f38750e77a1911b34fa000dca327219762eb1cc99c4ac18c579d17b6
-# Operations for each point: slow_flow 13
+# Made from sha256 682001a8317532b581774397df8bb3ecced90b6a6576805f166014ee2723e68b
+# Operations for each point: slow_flow 13, coefficients 5, backbone 3, motion 1
 """pendulum: Omega = omega + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -15,10 +15,14 @@ Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapters 4 and 5
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._flow import Flow
+from .._motion import Motion, response_at
+from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
+from .._one_amplitude import equilibria_of_one
 from .._runtime import checked, checked_amplitudes, evaluate_array
 
 if TYPE_CHECKING:
@@ -31,7 +35,13 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
+    "equilibria",
+    "frequency_response",
+    "jacobian",
+    "response",
     "slow_flow",
+    "stability",
 ]
 
 #: the resonance relations, with their detunings
@@ -63,12 +73,58 @@ VARIABLES: tuple[str, ...] = ()
 # --- formulas -------------------------------------------------------------------------------------
 
 
+#: terms of the slow flow: equation, powers of B, B̄, |B|
+_FLOW = Flow(
+    1,
+    (
+        (0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0)),
+    ),
+    (),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    1,
+    (
+        (0, 0, (1, 0, 0), (0,)), (2, 0, (3, 0, 0), (0,)),
+    ),
+    1,
+)
+
+
 def _slow_flow(out, A_theta, sigma, omega, h, mu):
     # Intermediates
     x0 = 1 / 4 * 1j * omega
     x1 = A_theta * A_theta
     # Outputs
     out[..., 0] = -A_theta * mu - 1j * A_theta * sigma - h * x0 - x0 * x1 * np.conj(A_theta)
+
+
+def _coefficients(out, sigma, omega, h, mu):
+    # Intermediates
+    x0 = 1 / 4 * 1j * omega
+    # Outputs
+    out[..., 0] = -h * x0
+    out[..., 1] = -mu - 1j * sigma
+    out[..., 2] = -x0
+
+
+def _backbone(a_theta, omega, h, mu):
+    # Intermediates
+    x0 = a_theta * a_theta
+    # Outputs
+    rate = -1 / 16 * omega * x0
+    return rate
+
+
+def _motion(out, sigma, omega, h, mu):
+    # Intermediates
+    x0 = omega + sigma
+    # Outputs
+    out[..., 0] = 2
+    out[..., 1] = -1 / 24
+    out[..., 2] = x0
+    out[..., 3] = x0
 
 
 # --- functions ------------------------------------------------------------------------------------
@@ -106,3 +162,251 @@ def slow_flow(
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 1), *arguments], (1,))
+
+
+def equilibria(
+    *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike, gradient: bool = False,
+) -> Any:
+    """All equilibria of the slow flow, with their stability.
+
+    Amplitudes B_j = (a_j/2) exp(iγ_j) that stay at rest in the frame of `slow_flow`, as many as
+    there are, those that are missing at a point NaN.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega + sigma, rad/s, real.
+    omega : array_like
+        Natural frequency, root of g/l, rad/s, > 0.
+    h : array_like
+        Amplitude of the support to and fro, over l, >= 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    Equilibria
+        The arrays amplitudes (..., count, 1), drift (..., count, 0) in rad/s and growth (...,
+        count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
+        derivatives of amplitudes and drift, without finite values where equilibria meet.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
+    return equilibria_at(
+        equilibria_of_one,
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "omega", "h", "mu") if gradient else (),
+    )
+
+
+def frequency_response(
+    *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike, over: str = "sigma",
+) -> Any:
+    """All equilibria along one parameter, as branches with their bifurcations.
+
+    One parameter is an array of one dimension, the others are numbers. Each branch has its points
+    in their order along the curve, through folds.
+
+    Parameters
+    ----------
+    sigma : array_like
+        Detuning, Omega = omega + sigma, rad/s, real.
+    omega : array_like
+        Natural frequency, root of g/l, rad/s, > 0.
+    h : array_like
+        Amplitude of the support to and fro, over l, >= 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    over : str, optional
+        Name of the one that varies.
+
+    Returns
+    -------
+    Response
+        Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
+        pitchforks, transcritical and Hopf points).
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("sigma", "omega", "h", "mu"),
+        over,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega: ArrayLike, h: ArrayLike, mu: ArrayLike,
+    gradient: bool = False,
+) -> Any:
+    """The detuning sigma on the backbone curve.
+
+    Where the conservative part of the slow flow that no phase enters is at rest; free motions
+    without damping lie on it, and the responses of weakly damped ones close by.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega : array_like
+        Natural frequency, root of g/l, rad/s, > 0.
+    h : array_like
+        Amplitude of the support to and fro, over l, >= 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        In rad/s, float64; with gradient this and name -> derivative.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega=omega, h=h, mu=mu)
+    return backbone_at(
+        _backbone,
+        amplitude,
+        arguments,
+        ("omega", "h", "mu") if gradient else (),
+    )
+
+
+def jacobian(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.float64]:
+    """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
+
+    In the frame of `slow_flow`.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = omega + sigma, rad/s, real.
+    omega : array_like
+        Natural frequency, root of g/l, rad/s, > 0.
+    h : array_like
+        Amplitude of the support to and fro, over l, >= 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
+    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def stability(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Eigenvalues Γ of the Jacobian, the largest real part first.
+
+    Small disturbances of an equilibrium grow like exp(Γ t).
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = omega + sigma, rad/s, real.
+    omega : array_like
+        Natural frequency, root of g/l, rad/s, > 0.
+    h : array_like
+        Amplitude of the support to and fro, over l, >= 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
+    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike,
+    mu: ArrayLike, order: int | None = None, gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero, and from the terms of the slow flow.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, Omega = omega + sigma, rad/s, real.
+    omega : array_like
+        Natural frequency, root of g/l, rad/s, > 0.
+    h : array_like
+        Amplitude of the support to and fro, over l, >= 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 1), in the order theta; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        slow=(_FLOW, _coefficients, 4),
+        names=("sigma", "omega", "h", "mu") if gradient else (),
+    )

@@ -34,7 +34,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("theta",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "Omega_is_two_omega_order_2": {
         "relation": "Omega = 2*omega + sigma",
@@ -43,7 +51,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("theta",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "Omega_is_omega_order_2": {
         "relation": "Omega = omega + sigma",
@@ -52,7 +68,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("theta",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
     "Omega_is_omega_order_3": {
         "relation": "Omega = omega + sigma",
@@ -61,7 +85,15 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("theta",),
         "unstable": None,
         "reason": "the slow flow is nonlinear or forced: its equilibria decide",
-        "functions": ("slow_flow",),
+        "functions": (
+            "slow_flow",
+            "equilibria",
+            "frequency_response",
+            "backbone",
+            "jacobian",
+            "stability",
+            "response",
+        ),
     },
 }
 

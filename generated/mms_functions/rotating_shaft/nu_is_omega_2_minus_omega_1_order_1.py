@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 05ff372420a35f3aca253d4ff8fe63c20f423c64f3c89d205dfed07e1334c57a
+# Made from sha256 38b82cc2bbacbd41d57af3ba503d45c4c065f48914fe1d4fbb88ce1ab3c75e8f
 # Operations for each point: growth_rate 12, slow_flow_matrix 7, characteristic_coefficients 11,
-# slow_flow 13, leading 9
+# slow_flow 13, motion 109, leading 9
 """rotating_shaft: nu = omega_2 - omega_1 + sigma, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,7 +21,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._eigenmodes import modal_values
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -43,11 +47,14 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
     "modes",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -69,6 +76,8 @@ PARAMETERS = {
     "omega_2": ("positive", "rad/s", "natural frequency 2, of alpha, beta"),
     "Phi_alpha_1": ("real", "1", "component alpha of mode 1"),
     "Phi_alpha_2": ("real", "1", "component alpha of mode 2"),
+    "Theta_beta_1": ("real", "1", "component beta of mode 1, in quadrature"),
+    "Theta_beta_2": ("real", "1", "component beta of mode 2, in quadrature"),
     "I_t": ("positive", "kg m^2", "inertia about a diameter"),
     "I_p": ("positive", "kg m^2", "inertia about the axis of rotation"),
     "Omega_s": ("positive", "rad/s", "speed of rotation"),
@@ -86,6 +95,29 @@ VARIABLES: tuple[str, ...] = ("A_eta_1", "A_eta_2")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    2,
+    (
+        ((0, 0), (1, 0)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (0, 0, 0, 1, 0, 0), (0,)), (0, 0, (1, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0), (0,)), (0, 1, (1, 0, 0, 0, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 1, 0, 0), (-1,)), (1, 0, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (1, 0, 0, 0, 0, 0), (-1,)), (1, 0, (1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 1, 0, 0), (-1,)), (1, 1, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (1, 0, 0, 0, 0, 0), (-1,)), (1, 1, (1, 0, 0, 0, 0, 0), (1,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
@@ -126,6 +158,66 @@ def _slow_flow(out, A_eta_1, A_eta_2, sigma, kappa, omega_1, omega_2, Phi_alpha_
     # Outputs
     out[..., 0] = x0 * x1 / omega_1
     out[..., 1] = 1j * A_eta_1 * x1 / omega_2 - sigma * x0
+
+
+def _motion(
+    out, sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2, Theta_beta_1, Theta_beta_2,
+):
+    # Intermediates
+    x0 = 2 * Phi_alpha_2
+    x1 = 2 * Phi_alpha_1
+    x2 = 2 * 1j
+    x3 = -omega_2
+    x4 = kappa / (omega_1 + x3)
+    x5 = x4 / (omega_1 + omega_2)
+    x6 = Phi_alpha_2 * Phi_alpha_2
+    x7 = Phi_alpha_2 * x6
+    x8 = 3 * omega_2
+    x9 = omega_2 * x6
+    x10 = 1 / omega_2
+    x11 = x10 / (omega_1 - x8)
+    x12 = 1 / 4 * x4
+    x13 = Phi_alpha_2 * x12
+    x14 = Phi_alpha_1 * Phi_alpha_1
+    x15 = 3 * omega_1
+    x16 = 1 / omega_1
+    x17 = x16 / (x15 + x3)
+    x18 = Phi_alpha_1 * x12
+    x19 = Phi_alpha_1 * x14
+    x20 = Phi_alpha_1 * Theta_beta_1
+    x21 = Theta_beta_2 * x0
+    x22 = 1 / 2 * 1j
+    x23 = x22 * x5
+    x24 = omega_1 * omega_1
+    x25 = omega_2 * omega_2
+    x26 = omega_2 * x25
+    x27 = omega_1 * x24
+    x28 = kappa * x22
+    x29 = Phi_alpha_2 * Theta_beta_2
+    x30 = Theta_beta_1 * x1
+    x31 = omega_2 + sigma
+    # Outputs
+    out[..., 0] = x0
+    out[..., 1] = x1
+    out[..., 2] = Theta_beta_2 * x2
+    out[..., 3] = Theta_beta_1 * x2
+    out[..., 4] = x5 * x7
+    out[..., 5] = -x11 * x13 * (omega_1 * x14 - x14 * x8 - 4 * x9)
+    out[..., 6] = x17 * x18 * (4 * omega_1 * x14 + x15 * x6 - x9)
+    out[..., 7] = -x19 * x5
+    out[..., 8] = Phi_alpha_2 * x10 * x23 * (omega_2 * x20 * x24 + x21 * x27 - x20 * x26) / x24
+    out[..., 9] = (
+        1 / 2 * 1j * Phi_alpha_1 * Phi_alpha_2 * Theta_beta_1 * kappa * x10 * x16
+        - Theta_beta_2 * x11 * x28 * x6 - 1j * x10 * x13 * (x20 + x21)
+    )
+    out[..., 10] = (
+        Phi_alpha_1 * x10 * x16 * x28 * x29 + Theta_beta_1 * x14 * x17 * x28
+        + 1j * x16 * x18 * (x29 + x30)
+    )
+    out[..., 11] = -Phi_alpha_1 * x16 * x23 * (omega_1 * x25 * x29 + x26 * x30 - x27 * x29) / x25
+    out[..., 12] = omega_1
+    out[..., 13] = x31
+    out[..., 14] = x31 - omega_1
 
 
 def _leading(out, I_t, I_p, Omega_s, k):
@@ -193,8 +285,8 @@ def growth_rate(
 
 def boundaries(
     *, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike,
-    Phi_alpha_2: ArrayLike,
-) -> tuple[Any, Any]:
+    Phi_alpha_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     This case cannot be unstable for any detuning: NaN everywhere.
@@ -211,12 +303,14 @@ def boundaries(
         Component alpha of mode 1, real.
     Phi_alpha_2 : array_like
         Component alpha of mode 2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -227,7 +321,12 @@ def boundaries(
         PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
         Phi_alpha_2=Phi_alpha_2,
     )
-    return evaluate_pair(no_edges, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        no_edges,
+        arguments,
+        ("kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -388,6 +487,170 @@ def slow_flow(
         Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike,
+    omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = -omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike,
+    omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = -omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 2). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike,
+    omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+    Theta_beta_1: ArrayLike, Theta_beta_2: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^1). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, nu = -omega_1 + omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+    Theta_beta_1 : array_like
+        Component beta of mode 1, in quadrature, real.
+    Theta_beta_2 : array_like
+        Component beta of mode 2, in quadrature, real.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 1; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order alpha, beta; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2, Theta_beta_1=Theta_beta_1,
+        Theta_beta_2=Theta_beta_2,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=(
+            "sigma", "kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2", "Theta_beta_1",
+            "Theta_beta_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def modes(*, I_t: ArrayLike, I_p: ArrayLike, Omega_s: ArrayLike, k: ArrayLike) -> dict[str, Any]:

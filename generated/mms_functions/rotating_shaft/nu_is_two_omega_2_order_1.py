@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 408115b93202d03f692e1a6c8905337f02902bceba3dc5390480f586d892e239
+# Made from sha256 6664eef64bf37d29480a809345b558c695867d8b63ae4728ba185f886bdcd78e
 # Operations for each point: growth_rate 10, boundaries 5, resonance 1, slow_flow_matrix 6,
-# characteristic_coefficients 11, slow_flow 12, leading 9
+# characteristic_coefficients 11, slow_flow 12, motion 101, leading 9
 """rotating_shaft: nu = 2*omega_2 + sigma, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,8 +21,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges
 from .._eigenmodes import modal_values
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -43,11 +47,14 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
     "modes",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -67,6 +74,10 @@ PARAMETERS = {
     "kappa": ("positive", "N m/rad", "amplitude of its modulation in one direction"),
     "omega_2": ("positive", "rad/s", "natural frequency 2, of alpha, beta"),
     "Phi_alpha_2": ("real", "1", "component alpha of mode 2"),
+    "omega_1": ("positive", "rad/s", "natural frequency 1, of alpha, beta"),
+    "Phi_alpha_1": ("real", "1", "component alpha of mode 1"),
+    "Theta_beta_1": ("real", "1", "component beta of mode 1, in quadrature"),
+    "Theta_beta_2": ("real", "1", "component beta of mode 2, in quadrature"),
     "I_t": ("positive", "kg m^2", "inertia about a diameter"),
     "I_p": ("positive", "kg m^2", "inertia about the axis of rotation"),
     "Omega_s": ("positive", "rad/s", "speed of rotation"),
@@ -84,6 +95,29 @@ VARIABLES: tuple[str, ...] = ("A_eta_1", "A_eta_2", "conj(A_eta_2)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    2,
+    (
+        ((0, 0),), ((1, 0), (1, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (0, 0, 0, 1, 0, 0), (0,)), (0, 0, (1, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0), (0,)), (0, 1, (1, 0, 0, 0, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 1, 0, 0), (-1,)), (1, 0, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (1, 0, 0, 0, 0, 0), (-1,)), (1, 0, (1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 1, 0, 0), (-1,)), (1, 1, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (1, 0, 0, 0, 0, 0), (-1,)), (1, 1, (1, 0, 0, 0, 0, 0), (1,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, kappa, omega_2, Phi_alpha_2):
@@ -146,6 +180,63 @@ def _slow_flow(out, A_eta_1, A_eta_2, sigma, kappa, omega_2, Phi_alpha_2):
     )
 
 
+def _motion(
+    out, sigma, kappa, omega_2, Phi_alpha_2, omega_1, Phi_alpha_1, Theta_beta_1, Theta_beta_2,
+):
+    # Intermediates
+    x0 = 2 * Phi_alpha_2
+    x1 = 2 * Phi_alpha_1
+    x2 = 2 * 1j
+    x3 = 1 / (omega_1 + omega_2)
+    x4 = 1 / (omega_1 - omega_2)
+    x5 = Phi_alpha_2 * kappa
+    x6 = x3 * x4 * x5
+    x7 = Phi_alpha_1 * Phi_alpha_1
+    x8 = omega_2 * omega_2
+    x9 = 9 * x8
+    x10 = 1 / x8
+    x11 = 3 * omega_2
+    x12 = 1 / (omega_1 - x11)
+    x13 = 1 / (omega_1 + x11)
+    x14 = x10 * x12 * x13 * x5
+    x15 = Phi_alpha_2 * Phi_alpha_2
+    x16 = omega_1 * omega_1
+    x17 = 4 * omega_2 * x15 + x11 * x7
+    x18 = kappa / omega_2
+    x19 = Phi_alpha_1 * x18
+    x20 = 1 / 4 * x19
+    x21 = x20 * x4
+    x22 = x20 * x3
+    x23 = Phi_alpha_2 * Theta_beta_2
+    x24 = omega_1 * x16
+    x25 = -x23 * x24
+    x26 = omega_1 * x23
+    x27 = 1 / omega_1
+    x28 = 1 / 2 * 1j
+    x29 = x27 * x28
+    x30 = omega_2 * x8
+    x31 = Phi_alpha_1 * Theta_beta_1
+    x32 = Theta_beta_1 * x18 * x29 * x7
+    x33 = x19 * x23 * x28
+    x34 = Theta_beta_2 * x0
+    # Outputs
+    out[..., 0] = x0
+    out[..., 1] = x1
+    out[..., 2] = Theta_beta_2 * x2
+    out[..., 3] = Theta_beta_1 * x2
+    out[..., 4] = -x6 * x7
+    out[..., 5] = -1 / 8 * x14 * (x15 * x9 + 8 * x7 * x8 - x15 * x16)
+    out[..., 6] = -x12 * x21 * (omega_1 * x7 - x17)
+    out[..., 7] = x13 * x22 * (omega_1 * x7 + x17)
+    out[..., 8] = x10 * x29 * x6 * (Theta_beta_1 * x1 * x30 + x25 + x26 * x8)
+    out[..., 9] = -3 / 8 * 1j * x14 * x27 * (x25 + x26 * x9 + 8 * x30 * x31)
+    out[..., 10] = x12 * x33 + 1j * x21 * (x31 + x34) - x32
+    out[..., 11] = x13 * x33 + x32 - 1j * x22 * (x31 - x34)
+    out[..., 12] = omega_1
+    out[..., 13] = omega_2 + 1 / 2 * sigma
+    out[..., 14] = 2 * omega_2 + sigma
+
+
 def _leading(out, I_t, I_p, Omega_s, k):
     # Intermediates
     x0 = I_p * Omega_s
@@ -203,7 +294,9 @@ def growth_rate(
     return evaluate(_growth_rate, arguments)
 
 
-def boundaries(*, kappa: ArrayLike, omega_2: ArrayLike, Phi_alpha_2: ArrayLike) -> tuple[Any, Any]:
+def boundaries(
+    *, kappa: ArrayLike, omega_2: ArrayLike, Phi_alpha_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     In closed form: the roots of a quadratic in it, between which growth_rate is positive. Order 1
@@ -219,12 +312,14 @@ def boundaries(*, kappa: ArrayLike, omega_2: ArrayLike, Phi_alpha_2: ArrayLike) 
         Natural frequency 2, of alpha, beta, rad/s, > 0.
     Phi_alpha_2 : array_like
         Component alpha of mode 2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -232,7 +327,12 @@ def boundaries(*, kappa: ArrayLike, omega_2: ArrayLike, Phi_alpha_2: ArrayLike) 
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, kappa=kappa, omega_2=omega_2, Phi_alpha_2=Phi_alpha_2)
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("kappa", "omega_2", "Phi_alpha_2") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -369,6 +469,160 @@ def slow_flow(
         PARAMETERS, sigma=sigma, kappa=kappa, omega_2=omega_2, Phi_alpha_2=Phi_alpha_2,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike,
+    omega_2: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_2=omega_2, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike, omega_2: ArrayLike,
+    Phi_alpha_2: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 2). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_2=omega_2, Phi_alpha_2=Phi_alpha_2,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike,
+    omega_2: ArrayLike, Phi_alpha_2: ArrayLike, omega_1: ArrayLike, Phi_alpha_1: ArrayLike,
+    Theta_beta_1: ArrayLike, Theta_beta_2: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^1). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Theta_beta_1 : array_like
+        Component beta of mode 1, in quadrature, real.
+    Theta_beta_2 : array_like
+        Component beta of mode 2, in quadrature, real.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 1; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order alpha, beta; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_2=omega_2, Phi_alpha_2=Phi_alpha_2,
+        omega_1=omega_1, Phi_alpha_1=Phi_alpha_1, Theta_beta_1=Theta_beta_1,
+        Theta_beta_2=Theta_beta_2,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=(
+            "sigma", "kappa", "omega_2", "Phi_alpha_2", "omega_1", "Phi_alpha_1", "Theta_beta_1",
+            "Theta_beta_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def modes(*, I_t: ArrayLike, I_p: ArrayLike, Omega_s: ArrayLike, k: ArrayLike) -> dict[str, Any]:

@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/rotating_shaft.py: change that, not this file.
-# Made from sha256 c8deaf114313c123193fb9ae4eac7a330b2d456a42050615f6c91546a885e56e
+# Made from sha256 47d338b357b2702ddf6a5a1761715b551b04f06c084a32108d2902219ce11176
 # Operations for each point: growth_rate 88, boundaries 82, resonance 1, slow_flow_matrix 68,
-# characteristic_coefficients 104, slow_flow 75, leading 9
+# characteristic_coefficients 104, slow_flow 75, motion 463, leading 9
 """rotating_shaft: nu = 2*omega_2 + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -11,8 +11,8 @@ It can be unstable: the discriminant of Gamma**2 - (Phi_alpha_2**2*kappa -
 2*omega_2*sigma)*(Phi_alpha_2**2*kappa + 2*omega_2*sigma)/(16*omega_2**2) is positive in an interval
 of the detuning.
 
-No number, NaN for growth rates and edges, where a divisor vanishes, which is a further resonance
-and a case of its own: omega_1 - 3*omega_2, omega_1 - omega_2.
+No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
+which is a further resonance and a case of its own: omega_1 - 3*omega_2, omega_1 - omega_2.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; gyroscopic modes after
 Meirovitch, AIAA Journal 12 (1974)
@@ -24,8 +24,12 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from .._beating import Beating, beating_at
+from .._dual import boundaries_at
 from .._edges import explicit_edges, zone
 from .._eigenmodes import modal_values
+from .._evolution import Linear, evolution_at
+from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
@@ -46,11 +50,14 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "beating",
     "boundaries",
     "characteristic_coefficients",
     "critical_speeds",
+    "evolution",
     "growth_rate",
     "modes",
+    "response",
     "slow_flow",
     "slow_flow_matrix",
 ]
@@ -72,6 +79,8 @@ PARAMETERS = {
     "omega_2": ("positive", "rad/s", "natural frequency 2, of alpha, beta"),
     "Phi_alpha_1": ("real", "1", "component alpha of mode 1"),
     "Phi_alpha_2": ("real", "1", "component alpha of mode 2"),
+    "Theta_beta_1": ("real", "1", "component beta of mode 1, in quadrature"),
+    "Theta_beta_2": ("real", "1", "component beta of mode 2, in quadrature"),
     "I_t": ("positive", "kg m^2", "inertia about a diameter"),
     "I_p": ("positive", "kg m^2", "inertia about the axis of rotation"),
     "Omega_s": ("positive", "rad/s", "speed of rotation"),
@@ -89,6 +98,39 @@ VARIABLES: tuple[str, ...] = ("A_eta_1", "A_eta_2", "conj(A_eta_2)")
 
 
 # --- formulas -------------------------------------------------------------------------------------
+
+
+#: amplitudes (j, 0) and conjugates (j, 1) that move together
+_BLOCKS = Linear(
+    2,
+    (
+        ((0, 0),), ((1, 0), (1, 1)),
+    ),
+)
+
+#: harmonics: order, coordinate, powers, multiples
+_MOTION = Motion(
+    2,
+    (
+        (0, 0, (0, 0, 0, 1, 0, 0), (0,)), (0, 0, (1, 0, 0, 0, 0, 0), (0,)),
+        (0, 1, (0, 0, 0, 1, 0, 0), (0,)), (0, 1, (1, 0, 0, 0, 0, 0), (0,)),
+        (1, 0, (0, 0, 0, 1, 0, 0), (-1,)), (1, 0, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 0, (1, 0, 0, 0, 0, 0), (-1,)), (1, 0, (1, 0, 0, 0, 0, 0), (1,)),
+        (1, 1, (0, 0, 0, 1, 0, 0), (-1,)), (1, 1, (0, 0, 0, 1, 0, 0), (1,)),
+        (1, 1, (1, 0, 0, 0, 0, 0), (-1,)), (1, 1, (1, 0, 0, 0, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0), (-2,)), (2, 0, (0, 0, 0, 1, 0, 0), (-1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0), (0,)), (2, 0, (0, 0, 0, 1, 0, 0), (1,)),
+        (2, 0, (0, 0, 0, 1, 0, 0), (2,)), (2, 0, (1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 0, (1, 0, 0, 0, 0, 0), (-1,)), (2, 0, (1, 0, 0, 0, 0, 0), (0,)),
+        (2, 0, (1, 0, 0, 0, 0, 0), (1,)), (2, 0, (1, 0, 0, 0, 0, 0), (2,)),
+        (2, 1, (0, 0, 0, 1, 0, 0), (-2,)), (2, 1, (0, 0, 0, 1, 0, 0), (-1,)),
+        (2, 1, (0, 0, 0, 1, 0, 0), (0,)), (2, 1, (0, 0, 0, 1, 0, 0), (1,)),
+        (2, 1, (0, 0, 0, 1, 0, 0), (2,)), (2, 1, (1, 0, 0, 0, 0, 0), (-2,)),
+        (2, 1, (1, 0, 0, 0, 0, 0), (-1,)), (2, 1, (1, 0, 0, 0, 0, 0), (0,)),
+        (2, 1, (1, 0, 0, 0, 0, 0), (1,)), (2, 1, (1, 0, 0, 0, 0, 0), (2,)),
+    ),
+    1,
+)
 
 
 def _growth_rate(sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2):
@@ -266,6 +308,198 @@ def _slow_flow(out, A_eta_1, A_eta_2, sigma, kappa, omega_1, omega_2, Phi_alpha_
     )
 
 
+def _motion(
+    out, sigma, kappa, omega_1, omega_2, Phi_alpha_1, Phi_alpha_2, Theta_beta_1, Theta_beta_2,
+):
+    # Intermediates
+    x0 = 2 * Phi_alpha_2
+    x1 = 2 * Phi_alpha_1
+    x2 = 2 * 1j
+    x3 = Phi_alpha_2 * kappa
+    x4 = omega_1 + omega_2
+    x5 = 1 / x4
+    x6 = omega_1 - omega_2
+    x7 = 1 / x6
+    x8 = x5 * x7
+    x9 = x3 * x8
+    x10 = Phi_alpha_1 * Phi_alpha_1
+    x11 = omega_2 * omega_2
+    x12 = 1 / x11
+    x13 = 1 / 8 * x12
+    x14 = x10 * x11
+    x15 = 8 * x14
+    x16 = Phi_alpha_2 * Phi_alpha_2
+    x17 = omega_1 * omega_1
+    x18 = x16 * x17
+    x19 = -x18
+    x20 = x11 * x16
+    x21 = 3 * omega_2
+    x22 = omega_1 - x21
+    x23 = 1 / x22
+    x24 = omega_1 + x21
+    x25 = 1 / x24
+    x26 = x23 * x25
+    x27 = x26 * (x15 + x19 + 9 * x20)
+    x28 = 4 * omega_2
+    x29 = x10 * x21 + x16 * x28
+    x30 = x7 * (omega_1 * x10 - x29)
+    x31 = 1 / omega_2
+    x32 = kappa * x31
+    x33 = 1 / 4 * Phi_alpha_1
+    x34 = x32 * x33
+    x35 = omega_1 * x10
+    x36 = x29 + x35
+    x37 = x34 * x5
+    x38 = Phi_alpha_2 * Theta_beta_2
+    x39 = omega_1 * x17
+    x40 = x38 * x39
+    x41 = -x40
+    x42 = omega_1 * x38
+    x43 = x11 * x42
+    x44 = 1j / omega_1
+    x45 = x12 * x44
+    x46 = omega_2 * x11
+    x47 = Phi_alpha_1 * Theta_beta_1
+    x48 = x46 * x47
+    x49 = 1 / 2 * x32
+    x50 = Theta_beta_1 * x10 * x44 * x49
+    x51 = 1j * Phi_alpha_1
+    x52 = x38 * x49 * x51
+    x53 = Theta_beta_2 * x0
+    x54 = x11 * x11
+    x55 = x10 * x54
+    x56 = x17 * x17
+    x57 = x16 * x56
+    x58 = x22 * x22
+    x59 = 1 / x58
+    x60 = x24 * x24
+    x61 = 1 / x60
+    x62 = x59 * x61
+    x63 = kappa * kappa
+    x64 = Phi_alpha_2 * x63
+    x65 = x64 / x54
+    x66 = 1 / 128 * x62 * x65 * x8
+    x67 = x10 * x10
+    x68 = x11 * x54
+    x69 = x16 * x16
+    x70 = x17 * x56
+    x71 = kappa * sigma
+    x72 = x4 * x4
+    x73 = 1 / x72
+    x74 = x6 * x6
+    x75 = 1 / x74
+    x76 = x73 * x75
+    x77 = x10 * x76
+    x78 = 81 * x16 * x54 + x57 - 18 * x11 * x18
+    x79 = sigma * x3 / x46
+    x80 = x62 * x79
+    x81 = 24 * x14
+    x82 = 5 * omega_2
+    x83 = 1 / (omega_1 - x82)
+    x84 = 1 / (omega_1 + x82)
+    x85 = x27 * x65 * x83 * x84
+    x86 = 8 * omega_2
+    x87 = x35 * x86
+    x88 = omega_1 * x86
+    x89 = x16 * x88
+    x90 = x10 * x17 + 16 * x20
+    x91 = 15 * x14 + x90
+    x92 = 1 / 64 * x63
+    x93 = x12 * x92
+    x94 = 2 * omega_2
+    x95 = omega_1 - x94
+    x96 = Phi_alpha_1 * x59
+    x97 = x30 * x83 * x96 / x95
+    x98 = 6 * omega_2 * x35
+    x99 = 9 * x14
+    x100 = x90 + x99
+    x101 = x13 * x71
+    x102 = x101 * x75 * x96
+    x103 = x26 * x76
+    x104 = x103 * x63 * (x10 * x17 - 4 * x18 - 12 * x20 - x99)
+    x105 = omega_1 + x94
+    x106 = Phi_alpha_1 * x61
+    x107 = x101 * x106 * x73
+    x108 = x106 * x36 * x5 * x84 / x105
+    x109 = x46 * x54
+    x110 = Phi_alpha_1 * x10
+    x111 = Theta_beta_1 * x109 * x110
+    x112 = Phi_alpha_2 * x16
+    x113 = Theta_beta_2 * x112
+    x114 = x35 * x38 * x68
+    x115 = omega_2 * x54
+    x116 = x115 * x47
+    x117 = x116 * x18
+    x118 = omega_1 * x56
+    x119 = x118 * x38
+    x120 = x39 * x56
+    x121 = x42 * x54
+    x122 = x17 * x47
+    x123 = x122 * x46
+    x124 = x39 * x53
+    x125 = 1 / 32 * x44
+    x126 = x17 * x38
+    x127 = 8 * x126
+    x128 = x47 * x88
+    x129 = 16 * omega_2 * x42 + 15 * x11 * x47 + x122
+    x130 = x45 * x92
+    x131 = 32 * x11 * x126
+    x132 = 30 * omega_1 * x48
+    x133 = x39 * x47 * x86
+    x134 = 23 * x11 * x122 + x40 * x86 + 40 * x42 * x46 + 18 * x47 * x54 + x47 * x56
+    # Outputs
+    out[..., 0] = x0
+    out[..., 1] = x1
+    out[..., 2] = Theta_beta_2 * x2
+    out[..., 3] = Theta_beta_1 * x2
+    out[..., 4] = -x10 * x9
+    out[..., 5] = -x13 * x27 * x3
+    out[..., 6] = -x23 * x30 * x34
+    out[..., 7] = x25 * x36 * x37
+    out[..., 8] = 1 / 2 * x45 * x9 * (Theta_beta_1 * x1 * x46 + x41 + x43)
+    out[..., 9] = -3 / 8 * x26 * x3 * x45 * (x41 + 9 * x43 + 8 * x48)
+    out[..., 10] = x23 * x52 + 1j * x34 * x7 * (x47 + x53) - x50
+    out[..., 11] = x25 * x52 + x50 - 1j * x37 * (x47 - x53)
+    out[..., 12] = (
+        x66 * (57 * x11 * x56 * x69 + 64 * x17 * x54 * x67 + 243 * x68 * x69 - 456 * x10 * x16 * x68
+        - x15 * x57 - 297 * x17 * x54 * x69 - 48 * x18 * x55 - 576 * x67 * x68 - 3 * x69 * x70)
+    )
+    out[..., 13] = -omega_2 * x0 * x71 * x77
+    out[..., 14] = 1 / 16 * x12 * x26 * x64 * x77 * (16 * x10 * x11 * x17 - 80 * x55 - x78)
+    out[..., 15] = -3 / 32 * x80 * (64 * x55 + x78)
+    out[..., 16] = x85 * (x19 + 25 * x20 + x81) / 384
+    out[..., 17] = x93 * x97 * (x91 - x87 - x89)
+    out[..., 18] = x102 * x95 * (x100 - x98)
+    out[..., 19] = -x104 * x16 * x33
+    out[..., 20] = -x105 * x107 * (x100 + x98)
+    out[..., 21] = x108 * x93 * (x87 + x89 + x91)
+    out[..., 22] = (
+        -x44 * x66 * (288 * Phi_alpha_1 * Theta_beta_1 * x109 * x16
+        + 432 * Phi_alpha_2 * Theta_beta_2 * x10 * x39 * x54
+        + 192 * Theta_beta_1 * x110 * x115 * x17 + 405 * Theta_beta_2 * omega_1 * x112 * x68
+        + 95 * Theta_beta_2 * x11 * x112 * x118 - 1728 * x111 - 5 * x113 * x120
+        - 495 * x113 * x39 * x54 - 1944 * x114 - 256 * x117 - x119 * x81 - 32 * x48 * x57)
+    )
+    out[..., 23] = 1 / 4 * x44 * x76 * x79 * (4 * x116 + x119 + x121 + 4 * x123 - x11 * x124)
+    out[..., 24] = (
+        x103 * x125 * x65 * (6 * Phi_alpha_1 * Theta_beta_1 * x16 * x46 * x56
+        + 96 * Phi_alpha_2 * Theta_beta_2 * x10 * x39 * x54 + 32 * Theta_beta_1 * x110 * x115 * x17
+        + 3 * Theta_beta_2 * x112 * x120 + 57 * Theta_beta_2 * x112 * x39 * x54
+        - 27 * omega_1 * x113 * x68 - 90 * x109 * x16 * x47 - 33 * x11 * x113 * x118 - 160 * x111
+        - 80 * x114 - 44 * x117 - 16 * x119 * x14)
+    )
+    out[..., 25] = -x125 * x80 * (288 * x116 + 5 * x119 + 405 * x121 + 32 * x123 - 90 * x11 * x40)
+    out[..., 26] = 5 * x44 * x85 * (x41 + 25 * x43 + 24 * x48) / 384
+    out[..., 27] = x130 * x97 * (omega_1 - x28) * (x129 - x127 - x128)
+    out[..., 28] = x102 * x44 * (x134 - x131 - x132 - x133)
+    out[..., 29] = -1 / 8 * x104 * x31 * x51 * (omega_2 * x122 + x124 - x48) / x17
+    out[..., 30] = -x107 * x44 * (x131 + x132 + x133 + x134)
+    out[..., 31] = x108 * x130 * (omega_1 + x28) * (x127 + x128 + x129)
+    out[..., 32] = omega_1
+    out[..., 33] = omega_2 + 1 / 2 * sigma
+    out[..., 34] = sigma + x94
+
+
 def _leading(out, I_t, I_p, Omega_s, k):
     # Intermediates
     x0 = I_p * Omega_s
@@ -331,8 +565,8 @@ def growth_rate(
 
 def boundaries(
     *, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike,
-    Phi_alpha_2: ArrayLike,
-) -> tuple[Any, Any]:
+    Phi_alpha_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable interval of sigma.
 
     The interval of sigma in which growth_rate is positive: where one of the polynomials with the
@@ -353,12 +587,14 @@ def boundaries(
         Component alpha of mode 1, real.
     Phi_alpha_2 : array_like
         Component alpha of mode 2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no
-        unstable interval.
+        unstable interval. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -369,7 +605,12 @@ def boundaries(
         PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
         Phi_alpha_2=Phi_alpha_2,
     )
-    return evaluate_pair(_boundaries, arguments)
+    return boundaries_at(
+        evaluate_pair,
+        _boundaries,
+        arguments,
+        ("kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2") if gradient else (),
+    )
 
 
 def critical_speeds(
@@ -531,6 +772,170 @@ def slow_flow(
         Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
     )
     return evaluate_array(_slow_flow, [*checked_amplitudes(amplitudes, 2), *arguments], (2,))
+
+
+def evolution(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike,
+    omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at any time from those at t = 0.
+
+    The matrix exponential of the slow flow, in the frame A_j = B_j exp(i λ_j t), λ in FRAME: a
+    closed form for blocks of one and two variables, scaling and squaring for larger ones; no
+    eigenvectors, so that double eigenvalues do no harm.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128, in the unit of the amplitudes.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return evolution_at(_BLOCKS, _slow_flow, arguments, t, amplitudes)
+
+
+def beating(
+    amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike,
+    omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+) -> Beating:
+    """How amplitudes beat: period and largest modulus, from those at t = 0.
+
+    Closed forms where no mode decays: the sum of the moduli of the parts in each eigenvalue, which
+    is the least upper bound of |B_j| unless three or more frequencies are commensurable. Else a
+    maximum that is searched for in time.
+
+    Parameters
+    ----------
+    amplitudes : array_like
+        Those at t = 0, shape (..., 2), in the order of COORDINATES.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+
+    Returns
+    -------
+    Beating
+        period (s), largest, margin, each of shape (..., 2). The period is NaN unless exactly two
+        frequencies take part; largest is infinite where the amplitude grows without bound; margin
+        is how much too small it may be, 0 for closed forms.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
+    )
+    return beating_at(_BLOCKS, _slow_flow, arguments, amplitudes)
+
+
+def response(
+    t: ArrayLike, amplitudes: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike,
+    omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+    Theta_beta_1: ArrayLike, Theta_beta_2: ArrayLike, order: int | None = None,
+    gradient: bool = False,
+) -> Any:
+    """Coordinates at times: the uniform approximation with all its harmonics.
+
+    Amplitudes in the frame A_j = B_j exp(i λ_j t), λ in FRAME, at the times given: constant ones at
+    an equilibrium, or a solution of slow_flow. NaN where a harmonic resonates itself. Derivatives
+    are taken with these fixed. Over times of order 1/ε the error is O(ε^2). A UserWarning says how
+    much is left out where that is more than a tenth of the motion, estimated from the harmonics of
+    each order beside those of order zero.
+
+    Parameters
+    ----------
+    t : array_like
+        Times, s; they broadcast with the other arguments.
+    amplitudes : array_like
+        Shape (..., 2), in the order of COORDINATES; NaN gives NaN.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+    Theta_beta_1 : array_like
+        Component beta of mode 1, in quadrature, real.
+    Theta_beta_2 : array_like
+        Component beta of mode 2, in quadrature, real.
+    order : int, optional
+        The highest power of ε of the harmonics that are summed, 0 to 2; all by default.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
+
+    Returns
+    -------
+    float64
+        Shape (..., 2), in the order alpha, beta; with gradient this and name -> array.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
+        Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2, Theta_beta_1=Theta_beta_1,
+        Theta_beta_2=Theta_beta_2,
+    )
+    return response_at(
+        _MOTION,
+        _motion,
+        arguments,
+        t,
+        amplitudes,
+        order=order,
+        names=(
+            "sigma", "kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2", "Theta_beta_1",
+            "Theta_beta_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def modes(*, I_t: ArrayLike, I_p: ArrayLike, Omega_s: ArrayLike, k: ArrayLike) -> dict[str, Any]:
