@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._branches import response_of
 from ._dual import array_slopes, real_at
 from ._flow import Flow, jacobian, rates, spectrum
 from ._records import Equilibria, Response
@@ -202,6 +201,8 @@ def response_along(
     ValueError
         If it is unknown, its values are not an array of one dimension, or another one is an array.
     """
+    from ._branches import response_of  # as long to load as everything else
+
     if over not in names:
         raise ValueError(f"over must be one of {', '.join(names)}, got {over!r}")
     place = list(names).index(over)
