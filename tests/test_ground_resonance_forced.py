@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import rotor
 import sympy as sp
-from entries import ROOT, demand_notebook
+from entries import ROOT, certificates, demand_notebook
 
 from mmsgen import orbits
 from mmsgen.certify import scaled_values
@@ -24,6 +24,13 @@ def unlike(blades: int) -> EquationsOfMotion:
 @pytest.mark.pinned
 def test_the_notebook_is_that_of_the_script() -> None:
     demand_notebook(NAME)
+
+
+def test_certificates() -> None:
+    found = certificates(NAME)
+    assert len(found) == 4
+    for name, data in found.items():
+        assert [str(fit["theory"]) for fit in data["fits"]] == [name[-1]]
 
 
 def test_figures() -> None:
