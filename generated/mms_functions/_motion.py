@@ -223,7 +223,10 @@ def _slowness(
     table: Any,
     motion: Motion,
 ) -> float:
-    """The largest term of the slow flow over frequency and amplitude; zero if that is linear."""
+    """The largest term of the slow flow over frequency and amplitude; zero if that is linear.
+
+    Forces have no part in it: from rest amplitudes grow by as much as they are large.
+    """
     if slow is None:
         return 0.0
     c = evaluate_array(slow.kernel, arguments[: slow.taken], (len(slow.flow.terms),))
@@ -231,6 +234,8 @@ def _slowness(
     whole = np.max(np.broadcast_arrays(*(b.real for b in sizes)), axis=0)
     worst = 0.0
     for m, (j, exponents) in enumerate(slow.flow.terms):
+        if not any(exponents):
+            continue
         fast = np.abs(table[..., len(motion.terms) + j].real)
         own = np.abs(c[..., m]) * np.abs(_product(sizes, exponents)) / (fast * whole)
         worst = max(worst, float(np.nanmax(np.where(whole > 0.0, own, 0.0), initial=0.0)))

@@ -267,6 +267,9 @@ def test_inside_of_the_scaling_there_is_no_warning() -> None:
         functions("free1").response(0.0, [0.5], alpha=0.1, omega=1.0)
         functions("free1").response(0.0, [0.0], alpha=0.1, omega=1.0)
         functions("rough").response(0.0, [0.5], mu=0.1, nu=0.1, omega=1.0)
+        # from rest, where the force alone moves the amplitude
+        given = {"sigma": 0.0, "alpha": 0.1, "k": 0.1, "mu": 0.01, "omega": 1.0}
+        functions("primary1").response(0.0, [1e-9], **given)
 
 
 def test_outside_of_the_scaling_a_warning_says_by_how_much() -> None:
