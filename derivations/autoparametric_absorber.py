@@ -11,17 +11,14 @@
 # resonance 1:2 with the faster mode driven.
 
 # %%
-import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sp
 from IPython.display import Markdown
-from scipy.integrate import solve_ivp
-from scipy.optimize import fsolve
 from sympy.physics.mechanics import dynamicsymbols
+from two_amplitudes import drawn, responses
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.loading import load
 
 # %% [markdown]
 # ## 1. Model
@@ -171,94 +168,49 @@ swing = 4 * (f * L / (2 * alpha_2) - Gamma_1)
 report.expression(r"a_\theta^2", sp.expand(swing.subs({sigma_1: 0, sigma_2: 0})))
 
 # %% [markdown]
-# ## 4. Over frequency
+# ## 4. Over force and frequency
 #
-# Amplitude of the mass while the frequency of the force passes through resonance. Grey: the
-# pendulum locked. Coloured: with the absorber, from the slow flows of order 1 (the formula) and of
-# order 2 (its equilibria, found numerically from the emitted functions). Dots: the unexpanded
-# equations, integrated until the motion is steady.
+# All equilibria at perfect tuning, over the force: the pendulum hangs still until the mass shakes
+# by $L\mu_p/\omega_p$, and then takes everything. Points: periodic orbits of the unexpanded
+# equations, with the harmonics $\Omega$ of $x$ and $\Omega/2$ of $\theta$.
 
 # %%
-AT = {"L": 1.0, "r": 0.2, "omega_x": 2.0, "omega_p": 1.0, "mu_x": 0.02, "mu_p": 0.02,
-      "f": 0.02}  # fmt: skip
-numbers = {p.symbol: AT[p.name] for p in eom.parameters if p.name in AT}
-solved = sp.solve(eom.equations, [x.diff(t, 2), theta.diff(t, 2)])
-accelerations = sp.lambdify(
-    [t, (x, theta), (dx, dtheta), Omega],
-    [solved[q.diff(t, 2)].subs(numbers) for q in (x, theta)],
-    "math",
-)
+NUMBERS = {"L": 1.0, "r": 0.2, "omega_p": 1.0, "mu_x": 0.02, "mu_p": 0.02, "sigma_1": 0.0}
+LABELS = ["$a_x$ (m)", "$a_\\theta$ (rad)"]
+over = {**NUMBERS, "sigma_2": 0.0, "f": np.linspace(0, 0.03, 201)}
+figure = drawn(working, over, "f (1/s²)", LABELS)
 
-
-def steady(frequency, begin, settle=70, periods=8):
-    """Amplitude of the harmonic Ω of x, once transients are gone."""
-    period = 4 * np.pi / frequency
-    window = np.linspace(settle * period, (settle + periods) * period, 64 * periods, endpoint=False)
-
-    def state(time, s):
-        s = s.tolist()
-        return [*s[2:], *accelerations(time, s[:2], s[2:], frequency)]
-
-    motion = solve_ivp(state, (0, window[-1]), begin, "DOP853", window, rtol=1e-7, atol=1e-9).y
-    return 2 * abs(np.mean(motion[0] * np.exp(-1j * frequency * window)))
-
+# %% [markdown]
+# Over the frequency of the force. On the dashed branch with a peak the pendulum hangs still: so high
+# would the mass be shaken without an absorber, and between the pitchforks that is unstable. Outside
+# of them the pendulum may be at rest or swing, up to the saddle-nodes. Order 1 is the formula.
 
 # %%
-emitted = {order: load(case) for order, case in working.items()}
-first = {"L": AT["L"], "r": AT["r"], "omega_p": AT["omega_p"], "f": AT["f"],
-         "mu_x": AT["mu_x"], "mu_p": AT["mu_p"], "sigma_1": 0.0}  # fmt: skip
+over = {**NUMBERS, "f": 0.02, "sigma_2": np.linspace(-0.18, 0.18, 401)}
+absorber_figure = drawn(working, over, r"$\sigma_2 = \Omega - \omega_x$ (rad/s)", LABELS, 30)
 
-
-def equilibrium(order, sigma, guess):
-    """Complex amplitudes (B_x, B_θ) at rest, from a guess nearby."""
-
-    def rest(parts):
-        b = parts[:2] + 1j * parts[2:]
-        rate = emitted[order].slow_flow(b, sigma_2=sigma, **first)
-        return np.concatenate([rate.real, rate.imag])
-
-    parts = fsolve(rest, np.concatenate([guess.real, guess.imag]), xtol=1e-12)
-    return parts[:2] + 1j * parts[2:]
-
-
-detunings = np.linspace(-0.06, 0.06, 61)
-middle = len(detunings) // 2
-lines = {}
-for order in (1, 2):
-    found = np.empty((len(detunings), 2), dtype=complex)
-    for steps in (range(middle, len(detunings)), range(middle, -1, -1)):
-        guess = np.array([-0.01 - 0.02j, 0.3 + 0.05j])
-        for i in steps:
-            guess = found[i] = equilibrium(order, detunings[i], guess)
-    lines[order] = 2 * np.abs(found[:, 0])
-by_formula = np.array([
-    float(sp.sqrt(held).subs(numbers).subs({sigma_1: 0, sigma_2: s})) for s in detunings
-])  # fmt: skip
-print(f"order 1 at rest is the formula: {np.abs(lines[1] - by_formula).max() < 1e-9}")
-dots = detunings[5::10]
-shown = np.array([steady(2 + s, [0.02, 0.5, 0.0, 0.1]) for s in dots])
-
-# %%
-absorber_figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
-locked = AT["f"] / (4 * np.hypot(detunings, AT["mu_x"]))
-axes.plot(detunings, locked, color="0.6", lw=1, label="pendulum locked")
-for order in (1, 2):
-    style = {"color": plotting.COLOURS[order - 1], "ls": plotting.DASHES[order - 1]}
-    axes.plot(detunings, lines[order], label=f"absorber, order {order}", **style)
-axes.plot(dots, shown, "o", color="black", mfc="none", label="unexpanded equations")
-axes.set(xlabel=r"$\sigma_2 = \Omega - \omega_x$ (rad/s)", ylabel="$a_x$ (m)", ylim=(0, None))
-axes.set_xlim(detunings[0], detunings[-1])
-legend = axes.legend(frameon=False, fontsize="small")
+at = {p.symbol: over[p.name] for p in working[1].parameters if p.name in over}
+by_formula = sp.lambdify(sigma_2, held.subs({k: x for k, x in at.items() if k != sigma_2}))
+branches = responses(working, over)[1].branches
+moving = next(b for b in branches if b.modulus[:, 1].max() > 0)
+swinging = moving.modulus[:, 1] > 0.01
+gap = moving.modulus[swinging, 0] ** 2 - by_formula(moving.parameter[swinging])
+assert np.abs(gap).max() < 1e-12
 
 # %% [markdown]
 # ## 5. Evidence
 #
 # Motions of the slow flow beside motions of the unexpanded equations, over times of order
-# $1/\varepsilon$: the distance, relative to the amplitude, must fall like $\varepsilon^N$.
+# $1/\varepsilon$: the distance, relative to the amplitude, must fall like $\varepsilon^N$. So must
+# the error of the steady amplitudes beside those of periodic orbits; the rates at which
+# disturbances of them die out are better by one order.
 
 # %%
 GENERIC = {"L": 1.3, "r": 0.3, "omega_p": 0.67, "mu_x": 0.11, "mu_p": 0.07, "f": 0.5,
            "sigma_1": 0.23, "sigma_2": -0.31}  # fmt: skip
+STEADY = {"L": 1.3, "r": 0.3, "omega_p": 0.67, "mu_x": 0.11, "mu_p": 0.17, "f": 0.9,
+          "sigma_1": 0.13, "sigma_2": -0.11}  # fmt: skip
+working_motion = working[1].slow_flow.equilibria(STEADY).amplitudes[-1]
 emission = mg.Emission(
     model="autoparametric_absorber",
     cases=list(working.values()),
@@ -266,6 +218,7 @@ emission = mg.Emission(
     derivation="derivations/autoparametric_absorber.py",
     source="Haxton and Barr, J. Engineering for Industry 94 (1972) 119-125",
     amplitudes=lambda case: ([0.2 + 0.3j, -0.2 + 0.4j], 0.7),
+    steady=lambda case: [mg.Steady(STEADY, list(working_motion))],
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())
@@ -278,7 +231,8 @@ axes = plotting.convergence(
 # %% [markdown]
 # ## 6. The emitted functions
 #
-# Each module holds `slow_flow`, the rates of the complex amplitudes.
+# Each module holds `slow_flow`, the rates of the complex amplitudes, and what follows from it:
+# `equilibria`, `frequency_response`, `stability`, `response`.
 
 # %%
 Markdown("    " + mg.publish(emission).replace("\n", "\n    "))

@@ -19,10 +19,13 @@ from IPython.display import Markdown, display
 from scipy.integrate import solve_ivp
 from scipy.special import ellipk
 from sympy.physics.mechanics import dynamicsymbols
+from two_amplitudes import drawn, responses, used
 
 import mmsgen as mg
 from mmsgen import plotting, report
 from mmsgen.loading import load
+from mmsgen.motion import exact_motion, first_order_system, reconstruction
+from mmsgen.sampling import scaled_values
 
 # %% [markdown]
 # ## 1. Model
@@ -223,56 +226,41 @@ assert sp.cancel(response / (4 * alpha_2**2) - printed) == 0
 report.expression("0", printed)
 
 # %% [markdown]
-# The picture of the book: both amplitudes over the force, at perfect tuning. Lines: the formulas;
-# dots: the unexpanded equations, integrated until the motion is steady, with the harmonics
-# $\Omega/2$ of $u_1$ and $\Omega$ of $u_2$.
+# The picture of the book: both amplitudes over the force, at perfect tuning. `frequency_response`
+# finds all equilibria of the slow flow; the two formulas are on its branches, and they meet in a
+# pitchfork. Points: periodic orbits of the unexpanded equations, with the harmonics $\Omega/2$ of
+# $u_1$ and $\Omega$ of $u_2$. Where the slower oscillator is at rest, the orbit loses its stability
+# by the doubling of its period.
 
 # %%
-AT = {"omega_1": 1.0, "omega_2": 2.0, "Omega": 2.0, "mu_1": 0.02, "mu_2": 0.03,
-      "alpha_1": 0.4, "alpha_2": 0.3, "F_1": 0.0}  # fmt: skip
-values = {p.symbol: AT[p.name] for p in eom.parameters if p.name in AT}
-exact = sp.lambdify(
-    [t, (u_1, u_2), (u_1.diff(t), u_2.diff(t)), F_2],
-    [
-        sp.solve(equation, q.diff(t, 2))[0].subs(values)
-        for equation, q in zip(eom.equations, eom.coordinates, strict=True)
-    ],
-    "math",
-)
+NUMBERS = {"omega_1": 1.0, "mu_1": 0.02, "mu_2": 0.03, "alpha_1": 0.4, "alpha_2": 0.3,
+           "F_1": 0.0, "sigma_1": 0.0, "sigma_2": 0.0}  # fmt: skip
+at = {p.symbol: NUMBERS[p.name] for p in driven_fast[1].parameters if p.name in NUMBERS}
+level, threshold = float(sp.sqrt(saturated).subs(at)), 4 * 0.03 * float(sp.sqrt(saturated).subs(at))
+forces = np.linspace(0, 4 * threshold, 201)
+response = responses(driven_fast, {**NUMBERS, "F_2": forces})[1]
+(pitchfork,) = response.bifurcations
+assert abs(pitchfork.parameter - threshold) < 1e-9
+moving = next(b for b in response.branches if b.modulus[:, 0].max() > 0)
+beyond = moving.modulus[:, 0] > 0.01
+assert np.abs(moving.modulus[beyond, 1] - level).max() < 1e-9
+by_formula = 4 * (moving.parameter[beyond] / 0.6 - float(Gamma_1.subs(at)))
+assert np.abs(moving.modulus[beyond, 0] ** 2 - by_formula).max() < 1e-9
 
+LABELS = ["$a_1$ (m)", "$a_2$ (m)"]
+figure = drawn(driven_fast, {**NUMBERS, "F_2": forces}, "$F_2$ (m/s²)", LABELS)
 
-def steady(force, settle=100, periods=8):
-    """Amplitudes of the harmonics Ω/2 of u_1 and Ω of u_2, once transients are gone."""
-    end = settle * 2 * np.pi
-    window = np.linspace(end, end + periods * 2 * np.pi, 64 * periods, endpoint=False)
-
-    def state(time, x):
-        x = x.tolist()
-        return [*x[2:], *exact(time, x[:2], x[2:], force)]
-
-    begin = [0.5, force / 0.24, 0.1, 0.0]
-    y = solve_ivp(state, (0, window[-1]), begin, "DOP853", window, rtol=1e-7, atol=1e-9).y
-    return [2 * abs(np.mean(y[j] * np.exp(-1j * (j + 1) * window))) for j in (0, 1)]
-
-
-values |= {sigma_1: 0, sigma_2: 0}
-level = float(sp.sqrt(saturated).subs(values))
-threshold = 4 * AT["omega_1"] * AT["mu_2"] * level
-g = float(Gamma_1.subs(values))
-forces = np.linspace(0, 4 * threshold, 200)
-line_1 = 2 * np.sqrt(np.maximum(-g + forces / (2 * AT["alpha_2"]), 0))
-line_2 = np.minimum(forces / (4 * AT["omega_1"] * AT["mu_2"]), level)
-dots = np.array([0.5, 1.5, 2.5, 3.5]) * threshold
-found = np.array([steady(f) for f in dots])
+# %% [markdown]
+# Over the frequency of the force, the coupling being weaker than the tuning is bad: the pitchforks
+# are where the slower oscillator wakes up and where it falls asleep, on both sides it goes on
+# beyond them to saddle-nodes, and in between there is an interval with no stable periodic motion at
+# all, bounded by Hopf points.
 
 # %%
-saturation_figure, axes = plt.subplots(figsize=(6.4, 3.2), layout="constrained")
-for j, (name, line) in enumerate((("$a_1$", line_1), ("$a_2$", line_2))):
-    colour = plotting.COLOURS[j]
-    axes.plot(forces, line, color=colour, ls=plotting.DASHES[j], label=name)
-    axes.plot(dots, found[:, j], plotting.MARKERS[j], color=colour, mfc="none")
-axes.set(xlabel="$F_2$ (m/s²)", ylabel="amplitude (m)", xlim=(0, forces[-1]), ylim=(0, None))
-legend = axes.legend(frameon=False)
+WEAK = {"omega_1": 1.0, "mu_1": 0.01, "mu_2": 0.01, "alpha_1": 0.16, "alpha_2": 0.16}
+DETUNED = {**WEAK, "F_1": 0.0, "F_2": 0.12, "sigma_1": 0.08}
+over = {**DETUNED, "sigma_2": np.linspace(-0.15, 0.1, 401)}
+figure = drawn(driven_fast, over, r"$\sigma_2 = \Omega - \omega_2$ (rad/s)", LABELS, 26)
 
 # %% [markdown]
 # ## 5. The slower oscillator driven, $\Omega = \omega_1 + \varepsilon\sigma_2$
@@ -321,6 +309,54 @@ by_hand = (
 assert sp.cancel(response / (4 * omega_1**2) - by_hand) == 0
 
 # %% [markdown]
+# Over the frequency of the force, at $\omega_2 = 2\omega_1$: two peaks, one for each way in which
+# the two can answer in step, and a valley between two Hopf points. From one of them the limit
+# cycles of the slow flow are followed to the other; thin lines: the smallest and the largest
+# amplitude on them.
+
+# %%
+SLOW = {**WEAK, "F_1": 0.05, "F_2": 0.0, "sigma_1": 0.0}
+axis = np.linspace(-0.06, 0.06, 401)
+over = r"$\sigma_2 = \Omega - \omega_1$ (rad/s)"
+figure = drawn(driven_slow, {**SLOW, "sigma_2": axis}, over, LABELS, 26)
+
+flow, given = driven_slow[2].slow_flow, used(driven_slow[2], SLOW)
+response = flow.frequency_response({**given, "sigma_2": axis})
+low, high = (b for b in response.bifurcations if b.kind == "Hopf")
+ends = low.parameter - 0.01, high.parameter - 1e-4
+family = flow.limit_cycles(given, low, "sigma_2", ends)
+assert family.path.reason == "reached" and set(family.path.verdicts) == {"stable"}
+sizes = np.array([cycle.modulus for cycle in family.cycles])
+for j, axes in enumerate(figure.axes):
+    axes.plot(family.values, sizes[:, j], color="0.4", lw=0.8)
+
+# %% [markdown]
+# In the middle of the valley the motion has two frequencies, and never repeats: the amplitudes go
+# round the limit cycle, while the oscillators swing. Grey: the unexpanded equations from the state
+# that the limit cycle begins with; black: its amplitudes.
+
+# %%
+chosen = int(np.abs(family.values).argmin())
+cycle, given = family.cycles[chosen], {**given, "sigma_2": float(family.values[chosen])}
+times = np.linspace(0, 2.5 * cycle.period, 4001)
+slow, exact = scaled_values(driven_slow[2], given, 1.0)
+amplitudes = cycle.amplitudes(times)
+made = reconstruction(driven_slow[2], slow)(times, amplitudes)
+motion = exact_motion(first_order_system(eom, exact), made[:, 0], times, 1.0)
+figure, panels = plt.subplots(2, 1, figsize=(7.2, 4.6), layout="constrained", sharex=True)
+for j, axes in enumerate(panels):
+    plotting.time_response(
+        times,
+        {"unexpanded equations": motion[j]},
+        {"limit cycle of order 2": 2 * np.abs(amplitudes[j])},
+        xlabel="t (s)" if j else "",
+        ylabel=f"$u_{j + 1}$ (m)",
+        axes=axes,
+    )
+panels[1].get_legend().remove()
+print(f"T = {cycle.period:.1f} s; furthest apart: {np.abs(motion - made)[:2].max():.2g} m")
+
+# %% [markdown]
 # ## 6. Evidence
 #
 # Motions of the slow flow, put back into coordinates, beside motions of the unexpanded equations
@@ -339,6 +375,18 @@ def samples(case):
     return {name: value for name, value in GENERIC.items() if name in names}
 
 
+def steady(case):
+    """A steady motion of both oscillators, where there is a force."""
+    if case in free.values():
+        return []
+    group = driven_fast if case in driven_fast.values() else driven_slow
+    values = used(case, STEADY)
+    found = group[1].slow_flow.equilibria(used(group[1], STEADY)).amplitudes[-1]
+    return [mg.Steady(values, list(found))]
+
+
+STEADY = {"omega_1": 1.0, "mu_1": 0.25, "mu_2": 0.2, "alpha_1": 1.1, "alpha_2": 0.9,
+          "F_1": 0.9, "F_2": 1.3, "sigma_1": 0.2, "sigma_2": 0.15}  # fmt: skip
 cases = [case for group in (free, driven_fast, driven_slow) for case in group.values()]
 emission = mg.Emission(
     model="internal_resonance_1_2",
@@ -347,6 +395,7 @@ emission = mg.Emission(
     derivation="derivations/internal_resonance_1_2.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 6",
     amplitudes=lambda case: ([0.4 + 0.3j, -0.3 + 0.4j], 0.7),
+    steady=steady,
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())
