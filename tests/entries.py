@@ -35,6 +35,15 @@ def certificates(name: str) -> dict[str, dict[str, Any]]:
     return found
 
 
+def demand_fits(data: dict[str, Any], tolerance: float, steady: bool = True) -> None:
+    """Motions, and with a steady motion its amplitudes and stability, err as theory says."""
+    kinds = ["motions at times of order 1/ε", "equilibrium amplitudes", "stability"]
+    assert [fit["quantity"] for fit in data["fits"]] == kinds[: 3 if steady else 1]
+    for fit in data["fits"]:
+        assert fit["theory"] == data["order"] + (fit["quantity"] == "stability")
+        assert abs(float(fit["fitted"]) - fit["theory"]) < tolerance
+
+
 def outputs(name: str) -> list[dict[str, Any]]:
     """All outputs of an executed notebook."""
     notebook = json.loads((ROOT / "derivations" / f"{name}.ipynb").read_text("utf-8"))
