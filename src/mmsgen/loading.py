@@ -10,7 +10,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from . import runtime
 from .codegen import case_name, render
+from .codegen.kernels import SHARED
 from .files import write_atomically
 
 if TYPE_CHECKING:
@@ -60,6 +62,10 @@ def load_files(files: Mapping[str, str], names: Iterable[str]) -> dict[str, Any]
                 write_atomically(Path(folder, package, *Path(path).parts[1:]), text)
         importlib.invalidate_caches()
         sys.path.insert(0, folder)
+        # What all emitted modules share is here already, and stays when the folder has gone.
+        for name in SHARED:
+            shared = importlib.import_module(f"{runtime.__name__}.{name}")
+            sys.modules[f"{package}.{name}"] = shared
         try:
             return {
                 name: importlib.import_module(".".join((package, *folders[name], name)))
