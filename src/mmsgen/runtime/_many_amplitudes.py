@@ -71,7 +71,7 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     Raises
     ------
     ValueError
-        If generic coefficients have more than 20,000 equilibria.
+        If generic coefficients have more than 600 equilibria.
     """
     c = np.asarray(coefficients, dtype=np.complex128)
     shape, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])

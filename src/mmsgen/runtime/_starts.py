@@ -28,7 +28,8 @@ SEED = 20
 # random, all of them would leave it alone with the probability N^(-16).
 LOOPS = 16
 ROUNDS = 1
-MOST = 20_000
+MOST = 600
+"""More solutions than that take minutes to find, and seconds to follow to each point."""
 
 
 def distinct(z: NDArray[Any], known: NDArray[Any], distance: float = 1e-6) -> NDArray[Any]:
@@ -84,7 +85,7 @@ def generic_solutions(terms: Terms, d: int, logs: int) -> tuple[NDArray[Any], ND
     Raises
     ------
     ValueError
-        If there are more than 20,000.
+        If there are more than 600.
     """
     random = np.random.default_rng(SEED)
     base, z = _seed(terms, d, random)
@@ -107,5 +108,9 @@ def generic_solutions(terms: Terms, d: int, logs: int) -> tuple[NDArray[Any], ND
         z = distinct(points[:, (last < 1e-10) & (condition < 1e12)], z)
         idle = idle + 1 if z.shape[1] == count else 0
         if z.shape[1] > MOST:
-            raise ValueError(f"more than {MOST} equilibria of generic coefficients: too many")
+            raise ValueError(
+                f"{d} unknown amplitudes and phases have more than {MOST} complex equilibria, too "
+                "many to list them all: reduce the slow flow by a symmetry, or follow single ones "
+                "from a motion in time"
+            )
     return base, z
