@@ -20,13 +20,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sp
 from IPython.display import Markdown, Math, display
-from orbits import harmonic, orbit
-from scipy.optimize import fsolve
 from sympy.physics.mechanics import dynamicsymbols
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.symbols import modulus, phase
+from mmsgen.symbols import modulus
 
 # %% [markdown]
 # ## 1. The model
@@ -109,21 +107,12 @@ Math(rf"\sigma^2 = {sp.latex(sp.expand(upper**2))}")
 # %% [markdown]
 # ## 5. Steady amplitudes
 #
-# With $\dot a = \dot\gamma_u = 0$ the polar form is a pair of linear equations in
-# $\sin 2\gamma_u$ and $\cos 2\gamma_u$, the squares of which add up to one. That leaves one
-# condition for $a$:
+# With $\dot a = \dot\gamma_u = 0$ the phase can be eliminated. That leaves one condition for $a$:
 
 # %%
-a, angle = modulus(u), phase(u)
-s, c = sp.symbols("s c", real=True)
-turned = {sp.sin(2 * angle): s, sp.cos(2 * angle): c}
-steady = [sp.expand(rate).subs(turned) for rate in flow.polar.values()]
-(solved,) = sp.solve(steady, [s, c], dict=True)
-parts = [sp.expand(2 * solved[k] * f / omega) for k in (s, c)]
-Math(
-    rf"\left({sp.latex(parts[0] / 2)}\right)^2 + \left({sp.latex(parts[1] / 2)}\right)^2 "
-    r"= \frac{f^2}{\omega^2}"
-)
+a, P = modulus(u), sp.Symbol("P", positive=True)  # P: a²
+relation = flow.response_relation()
+report.expression("0", relation)
 
 # %% [markdown]
 # ### Mathieu–Duffing
@@ -132,9 +121,8 @@ Math(
 # $a^2 = \dfrac{4}{3\alpha}\left(\sigma \pm \sqrt{f^2 - 4\mu^2}\right)$:
 
 # %%
-P = sp.Symbol("P", positive=True)  # a²
 unit = {omega: 1, a: sp.sqrt(P)}
-condition = sp.expand(sum(part**2 for part in parts).subs(unit) / 4 - f**2)
+condition = sp.expand(relation.subs(unit) / 16)
 
 
 def from_print(roots, P, lead):
@@ -162,37 +150,52 @@ assert sp.expand(from_print(printed, P, van_der_pol.coeff(P, 2)) - van_der_pol) 
 display(Math(rf"{sp.latex(sp.collect(van_der_pol, P).subs(P, a**2))} = 0"))
 
 # %% [markdown]
-# Which motions are stable? Trace and determinant of the Jacobian of the polar slow flow there:
+# The backbone, about which the two motions lie without damping, and the conditions under which
+# motions change their stability: a pitchfork at rest, a saddle-node where the relation has a double
+# root, and a Hopf point.
 
 # %%
-polar = sp.Matrix(list(flow.polar.values()))
-jacobian = polar.jacobian([a, angle]).applyfunc(lambda e: sp.expand(e).subs(turned).subs(solved))
-trace, determinant = (sp.expand(e).subs(unit) for e in (jacobian.trace(), jacobian.det()))
-slope = condition.diff(P)
-assert sp.expand(determinant - P * slope / 2) == 0
-left = sp.collect(condition, P).subs(P, a**2)
-display(Math(rf"\mathrm{{tr}} = {sp.latex(trace.subs(P, a**2))}"))
-Math(rf"\det = \frac{{a^2}}{{2}} \frac{{\partial}}{{\partial a^2}} \left[{sp.latex(left)}\right]")
+(backbone,) = flow.backbone().values()
+assert sp.expand(backbone - 3 * alpha * a**2 / (4 * omega)) == 0
+meeting = flow.bifurcation_equations()
+assert sp.expand(meeting["pitchfork"][0].subs(omega, 1) - (sigma**2 - f**2 + 4 * mu**2)) == 0
+assert sp.expand(meeting["saddle-node"][1].subs(unit) - 8 * condition.diff(P)) == 0
+report.Table(
+    ("", "vanishes there"),
+    (
+        ("backbone", f"${sp.latex(sigma - backbone)}$"),
+        *(
+            (kind, f"${sp.latex(meeting[kind][-1])}$")
+            for kind in ("pitchfork", "saddle-node", "Hopf")
+        ),
+    ),
+)
 
 # %% [markdown]
-# The condition in square brackets is a parabola in $a^2$ that opens upwards: on the smaller root
-# the determinant is negative, a saddle; the larger root is stable as long as
-# $4\mu + \eta a^2 > 0$.
+# The condition is a parabola in $a^2$ that opens upwards: its smaller root belongs to a saddle; the
+# larger one is stable as long as $4\mu + \eta a^2 > 0$.
 #
 # ## 6. Certificates
 #
 # The slow flow is nonlinear, so motions are compared: from the same state the exact equation is
 # integrated over a time of order $1/\varepsilon$, and the difference has to fall like
-# $\varepsilon^N$. The linear boundaries are compared with Floquet theory, where the order is
-# $N + 1$.
+# $\varepsilon^N$. Steady motions are compared with periodic orbits of the exact equation: their
+# amplitudes, and with one order more the exponents of disturbances and the saddle-node at which van
+# der Pol's oscillator is set free. The linear boundaries are compared with Floquet theory, where
+# the order is $N + 1$.
 
 # %%
 values = {"omega": 1.3, "f": 0.9, "alpha": 0.7, "mu": 0.11, "eta": 0.23, "sigma": 0.37}
+free = {"omega": 1.3, "f": 0.6, "alpha": 0.1, "mu": -0.5, "eta": 1.1, "sigma": 0.681}
 emission = mg.Emission(
     model="mathieu_duffing",
     cases=list(cases.values()),
     samples=lambda case: values,
     amplitudes=lambda case: ([0.6 + 0.4j], 2.0),
+    steady=lambda case: [
+        mg.Steady(values, [0.21 + 0.74j]),
+        mg.Steady(free, [0.99 + 0.1j], fold=True),
+    ],
     derivation="derivations/mathieu_duffing.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5",
 )
@@ -204,94 +207,44 @@ report.certificate_table(certificates)
 axes = plotting.convergence(certificates[:2], quantity="motions at times of order 1/ε")
 
 # %% [markdown]
-# ## 7. Against exact periodic motions
+# ## 7. Responses
 #
-# Newton's method on the map over two periods of the excitation finds the periodic motions of the
-# unexpanded equation, stable and unstable ones (`derivations/orbits.py`). Their fundamental
-# harmonic is what $a$ stands for. Mathieu–Duffing with $\omega = \alpha/\varepsilon = 1$,
-# $f = 0.8\,\varepsilon$, $\mu = 0.2\,\varepsilon$ and $\sigma = 0.5\,\varepsilon$: the error of
-# order $N$ falls like $\varepsilon^N$.
+# Steady amplitudes over the detuning at $\omega = 1$ rad/s. Points: periodic orbits of the
+# unexpanded equation, stable ones filled; they take two periods of the excitation. Left
+# Mathieu–Duffing, $f = 0.1$, $\mu = 0.02$, $\alpha = 0.2$, with its backbone of order 1; right van
+# der Pol, $\eta = 0.1$, $f = 0.06$.
 
 # %%
-names = [p.symbol for p in cases[2].parameters if p.symbol != Omega]
-equations = {
-    order: sp.lambdify(
-        [list(case.slow_flow.cartesian), names], list(case.slow_flow.cartesian.values())
-    )
-    for order, case in cases.items()
+hard = {omega: 1.0, f: 0.1, mu: 0.02, alpha: 0.2, eta: 0.0, sigma: np.linspace(-0.12, 0.24, 361)}
+caught = {
+    omega: 1.0,
+    f: 0.06,
+    mu: -0.05,
+    alpha: 0.0,
+    eta: 0.1,
+    sigma: np.linspace(-0.08, 0.08, 321),
 }
-
-
-def steady_state(order, values, guess):
-    """The fixed point B = (x + iy)/2 of a slow flow near a guess."""
-    numbers = [values[str(symbol)] for symbol in names]
-    x, y = fsolve(lambda z: equations[order](z, numbers), [guess.real, guess.imag], xtol=1e-10)
-    return complex(x, y)
-
-
-def first_order(values, sign):
-    """The steady state x + iy of order 1 at ω = 1, from the formulas."""
-    numbers = [values[str(symbol)] for symbol in names]
-    c0, c1, c2 = coefficients(*numbers)
-    amplitude = np.sqrt((-c1 + sign * np.sqrt(c1**2 - 4 * c2 * c0)) / (2 * c2))
-    sine, cosine = directions(amplitude, *numbers)
-    return amplitude * np.exp(0.5j * np.arctan2(sine, cosine))
-
-
-coefficients = sp.lambdify(names, [condition.coeff(P, power) for power in range(3)])
-directions = sp.lambdify([a, *names], [solved[s], solved[c]])
-
-
-def exact_amplitude(values, guess):
-    """The fundamental of the exact periodic motion, and whether it is stable."""
-    known = {**{k: v for k, v in values.items() if k != "sigma"}, "Omega": 2 + values["sigma"]}
-    half = known["Omega"] / 2
-    (path, _), multipliers = orbit(eom, known, 2 * np.pi / half, [guess.real, -half * guess.imag])
-    return harmonic(path, 1), bool(np.abs(multipliers).max() < 1)
-
-
-rows, gaps = [], []
-for epsilon in (0.1, 0.05, 0.025, 0.0125):
-    small = {"f": 0.8, "mu": 0.2, "sigma": 0.5, "alpha": 1.0, "eta": 0.0}
-    small = {"omega": 1.0, **{name: epsilon * value for name, value in small.items()}}
-    one = first_order(small, +1)
-    two = steady_state(2, small, one)
-    exact, stable = exact_amplitude(small, two)
-    gaps.append(np.abs([abs(one) - exact, abs(two) - exact]))
-    cells = (f"{x:.5f}" for x in (abs(one), abs(two), exact))
-    rows.append((f"{epsilon}", *cells, *(f"{g:.1e}" for g in gaps[-1])))
-head = ("ε", "order 1", "order 2", "exact", "error, order 1", "error, order 2")
-display(report.Table(head, tuple(rows)))
-powers = np.log2(gaps[2] / gaps[3])
-Markdown(f"Powers of ε from the last two rows: {powers[0]:.1f} and {powers[1]:.1f}.")
-
-# %% [markdown]
-# Steady amplitudes over the detuning; lines: order 1, dashed where unstable, points: exact
-# periodic motions, open where unstable. Left Mathieu–Duffing, $f = 0.1$, $\mu = 0.02$,
-# $\alpha = 0.2$; right van der Pol, $\eta = 0.1$, $f = 0.06$.
-
-# %%
-figure, panels = plt.subplots(1, 2, figsize=(8.4, 3.4), layout="constrained")
-hard = {"omega": 1.0, "f": 0.1, "mu": 0.02, "alpha": 0.2, "eta": 0.0}
-caught = {"omega": 1.0, "f": 0.06, "mu": -0.05, "alpha": 0.0, "eta": 0.1}
-at = {
-    1: ((-0.06, 0.02, 0.1, 0.18), (-0.055, -0.03, 0.0, 0.03, 0.055)),
-    -1: ((0.12, 0.2), (-0.04, 0.0, 0.04)),
-}
-for panel, (axes, values) in enumerate(zip(panels, (hard, caught), strict=True)):
-    detunings = np.linspace(-0.12, 0.24, 721) if panel == 0 else np.linspace(-0.07, 0.07, 561)
-    for sign, style in ((1, "-"), (-1, "--")):
-        with np.errstate(invalid="ignore"):
-            branch = np.abs(first_order({**values, "sigma": detunings}, sign))
-        axes.plot(detunings, branch, style, color=plotting.COLOURS[0])
-        for detuning in at[sign][panel]:
-            here = {**values, "sigma": detuning}
-            amplitude, stable = exact_amplitude(
-                here, steady_state(2, here, first_order(here, sign))
-            )
-            assert stable == (sign > 0)
-            axes.plot(detuning, amplitude, "ko", ms=4, mfc="black" if stable else "none")
-    axes.set(xlabel="σ (rad/s)", ylabel="amplitude of the fundamental", ylim=(0, None))
+figure, panels = plt.subplots(1, 2, figsize=(8.8, 4.2), layout="constrained")
+for axes, numbers in zip(panels, (hard, caught), strict=True):
+    for order, case in cases.items():
+        response = case.slow_flow.frequency_response(numbers)
+        points = mg.orbits_along(case, numbers, response, 24, largest=3) if order == 2 else ()
+        plotting.frequency_response(
+            response, [f"order {order}"], points=points, colour=2 - order, axes=axes
+        )
+sizes = np.linspace(0, 1.7, 50)
+along = sp.lambdify(a, backbone.subs({omega: 1, alpha: hard[alpha]}))(sizes)
+plotting.backbone({"backbone": (along, sizes)}, axes=panels[0])
+panels[0].set_xlim(-0.12, 0.24)
+panels[1].set_xticks(np.linspace(-0.08, 0.08, 5))
+entries = {}
+for axes, top in zip(panels, (1.7, 3), strict=True):  # order 2 has more far above, out of its reach
+    entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
+    axes.get_legend().remove()
+    axes.set(xlabel="σ (rad/s)", ylabel="amplitude of the fundamental (m)", ylim=(0, top))
+_ = figure.legend(
+    entries.values(), entries, loc="outside lower center", ncols=5, frameon=False, fontsize="small"
+)
 
 # %% [markdown]
 # ## 8. The emitted functions

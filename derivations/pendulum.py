@@ -16,13 +16,12 @@ import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sp
 from IPython.display import Markdown, Math, display
-from orbits import harmonic, orbit
 from scipy.special import mathieu_a, mathieu_b
 from sympy.physics.mechanics import dynamicsymbols
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.symbols import modulus, phase
+from mmsgen.symbols import modulus
 
 # %% [markdown]
 # ## 1. The model
@@ -81,28 +80,13 @@ display(report.solvability(up_down[2], 2))
 report.modulation(up_down[1])
 
 # %% [markdown]
-# At rest in polar form the sine and cosine of $2\gamma_\theta$ follow, and their squares add up to
-# one:
+# With the phase eliminated, this is left for the amplitude of a steady swing:
 
 # %%
-a, angle = modulus(theta), phase(theta)
-s, c, P = sp.symbols("s c P", real=True)  # sine, cosine, a²
-
-
-def condition(case, multiple):
-    """0 = s² + c² − 1 of a steady motion, and s and c."""
-    turned = {sp.sin(multiple * angle): s, sp.cos(multiple * angle): c}
-    rates = [sp.expand(rate).subs(turned) for rate in case.slow_flow.polar.values()]
-    (solution,) = sp.solve(rates, [s, c], dict=True)
-    return sp.expand(solution[s] ** 2 + solution[c] ** 2 - 1), solution
-
-
-swinging, direction = condition(up_down[1], 2)
+a, P = modulus(theta), sp.Symbol("P", real=True)  # P: a²
+swinging = up_down[1].slow_flow.response_relation()
 sigma = up_down[1].relations[0].detuning
-Math(
-    rf"\left({sp.latex(sp.expand(direction[s]))}\right)^2 + "
-    rf"\left({sp.latex(sp.expand(direction[c]))}\right)^2 = 1"
-)
+report.expression("0", swinging)
 
 # %% [markdown]
 # The Mathieu–Duffing oscillator
@@ -153,11 +137,13 @@ report.modulation(to_fro[2])
 # and the pendulum's is this with $\alpha = -\omega^2/6$ and $k = h\omega^2$:
 
 # %%
-response, _ = condition(to_fro[2], 1)
+relation = to_fro[2].slow_flow.response_relation()
 k = h * omega**2
 printed = (mu**2 + (sigma - 3 * alpha * a**2 / (8 * omega)) ** 2) * a**2 - k**2 / (4 * omega**2)
-assert sp.cancel(response * k**2 / (4 * omega**2) - printed) == 0
-bend = sp.expand(sigma - 3 * alpha * a**2 / (8 * omega))
+assert sp.expand(relation - 256 * printed) == 0
+(backbone,) = to_fro[2].slow_flow.backbone().values()
+assert sp.expand(backbone - 3 * alpha * a**2 / (8 * omega)) == 0
+bend = sigma - backbone
 Math(
     rf"\left[\mu^2 + \left({sp.latex(bend)}\right)^2\right] {sp.latex(a**2)} = "
     rf"{sp.latex(sp.expand(k**2 / (4 * omega**2)))}"
@@ -229,7 +215,8 @@ report.Table(("z", "Floquet (rad/s)", "error, order 2", "error, order 4"), tuple
 #
 # Motions of the slow flows beside motions of the exact equation, from the same state, over a time
 # of order $1/\varepsilon$: the difference, over the order of the angle, has to fall like
-# $\varepsilon^N$.
+# $\varepsilon^N$. Steady motions beside periodic orbits of the exact equation: their amplitudes
+# likewise, and the exponents of disturbances with one order more.
 
 # %%
 VERTICAL = {"omega": 1.3, "z": 0.9, "mu": 0.31, "sigma": 0.77}
@@ -246,11 +233,19 @@ def amplitudes(case):
     return ([0.5 + 0.7j], 1.5) if case in up_down.values() else ([0.8 + 0.5j], 1.0)
 
 
+def steady(case):
+    """Steady motions, near those of the lowest order."""
+    if case in up_down.values():
+        return [mg.Steady(VERTICAL, [-0.2 + 1.5j])]
+    return [mg.Steady(HORIZONTAL, [-0.49 - 0.47j])]
+
+
 emission = mg.Emission(
     model="pendulum",
     cases=[*up_down.values(), *to_fro.values()],
     samples=samples,
     amplitudes=amplitudes,
+    steady=steady,
     derivation="derivations/pendulum.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapters 4 and 5",
 )
@@ -270,48 +265,32 @@ axes = plotting.convergence(certificates, quantity="motions at times of order 1/
 # %% [markdown]
 # ## 6. Responses
 #
-# Steady amplitudes at $\omega = 1$ rad/s over the frequency of the support. Lines: order 1 for up
-# and down, order 3 for to and fro. Points: the fundamental of exact periodic motions, by Newton's
-# method on the map over their period (`derivations/orbits.py`), open where unstable. Left: up and
-# down, $z = 0.03$, $\mu = 0.007$; middle: to and fro, $h = 0.01$, $\mu = 0.007$. Right: the upright
+# Steady amplitudes at $\omega = 1$ rad/s over the detuning of the support. Points: the fundamental
+# of periodic orbits of the unexpanded equation, open where unstable. Left: up and down,
+# $z = 0.03$, $\mu = 0.007$; middle: to and fro, $h = 0.01$, $\mu = 0.007$. Right: the upright
 # pendulum is stable between the curves, from the series (dashed: to order 2) and from exact
 # eigenvalues (points).
 
 # %%
-NUMBERS = {omega: 1, z: sp.Rational(3, 100), h: sp.Rational(1, 100), mu: sp.Rational(7, 1000)}
-detunings, phases = {}, {}
-for multiple, case in ((2, up_down[1]), (1, to_fro[3])):
-    steady, solution = condition(case, multiple)
-    numerator = sp.fraction(sp.together(steady.subs(NUMBERS)))[0]
-    detunings[multiple] = [sp.lambdify(a, branch) for branch in sp.solve(numerator, sigma)]
-    phases[multiple] = sp.lambdify([a, sigma], [solution[k].subs(NUMBERS) for k in (s, c)])
-
-
-def exact_point(multiple, branch, size):
-    """Frequency, exact amplitude, and stability of a motion near one of a formula."""
-    detuning = detunings[multiple][branch](size)
-    sine, cosine = phases[multiple](size, detuning)
-    gamma = np.arctan2(sine, cosine) / multiple
-    speed = 1 + detuning / multiple  # of the pendulum: Ω/2 or Ω
-    known = {"omega": 1.0, "mu": 0.007, "Omega": multiple * speed}
-    known |= {"z": 0.03, "h": 0.0} if multiple == 2 else {"z": 0.0, "h": 0.01}
-    start = [size * np.cos(gamma), -speed * size * np.sin(gamma)]
-    (path, _), multipliers = orbit(eom, known, 2 * np.pi / speed, start)
-    return known["Omega"], harmonic(path, 1), np.abs(multipliers).max() < 1
-
-
-figure, (left, middle, right) = plt.subplots(1, 3, figsize=(9.6, 3.3), layout="constrained")
-for panel, multiple, highest in ((left, 2, 0.8), (middle, 1, 0.68)):
-    sizes = np.linspace(0.08, highest, 400)
-    for branch in (0, 1):
-        with np.errstate(invalid="ignore"):
-            speeds = multiple + detunings[multiple][branch](sizes)
-        panel.plot(speeds, sizes, color=plotting.COLOURS[0])
-        for size in highest * np.array((0.25, 0.55, 0.88)):
-            speed, amplitude, stable = exact_point(multiple, branch, size)
-            panel.plot(speed, amplitude, "ko", ms=4, mfc="black" if stable else "none")
-    panel.set(xlabel="Ω (rad/s)", ylabel="amplitude of θ (rad)", ylim=(0, None))
-    panel.locator_params(axis="x", nbins=4)
+shaken = {omega: 1.0, z: 0.03, mu: 0.007, sigma: np.linspace(-0.14, 0.1, 481)}
+pushed = {omega: 1.0, h: 0.01, mu: 0.007, sigma: np.linspace(-0.07, 0.05, 481)}
+figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.4, 4.2), layout="constrained")
+entries = {}
+for panel, numbers, cases in ((left, shaken, up_down), (middle, pushed, to_fro)):
+    highest = max(cases)
+    for order, case in cases.items():
+        response = case.slow_flow.frequency_response(numbers)
+        points = mg.orbits_along(case, numbers, response, 24) if order == highest else ()
+        plotting.frequency_response(
+            response, [f"order {order}"], points=points, colour=3 - order, axes=panel
+        )
+    entries |= dict(zip(*reversed(panel.get_legend_handles_labels()), strict=True))
+    panel.get_legend().remove()
+    panel.set(xlabel="σ (rad/s)", ylabel="amplitude of θ (rad)")
+    panel.locator_params(axis="x", nbins=5)
+_ = figure.legend(
+    entries.values(), entries, loc="outside lower center", ncols=6, frameon=False, fontsize="small"
+)
 
 reach = np.linspace(0, 0.6, 121)
 right.plot(reach**2 / 2, reach, "--", color=plotting.COLOURS[0])

@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from entries import certificates, demand_notebook, emitted
-from orbits import harmonic, orbit
 from scipy.optimize import fsolve
 from sympy import cos
 from systems import Omega, alpha, d, equations, f, mu, omega, t, x
+
+import mmsgen as mg
 
 HARD = {"omega": 1.0, "f": 0.8, "alpha": 0.7, "mu": 0.2, "eta": 0.0, "sigma": 0.5}
 CAUGHT = {"omega": 1.0, "f": 0.6, "alpha": 0.0, "mu": -0.5, "eta": 1.0, "sigma": 0.25}
@@ -23,10 +24,12 @@ def test_certificates_of_parametric_excitation() -> None:
     found = certificates("mathieu_duffing")
     assert sorted(found) == [f"Omega_is_two_omega_order_{n}" for n in (1, 2)]
     for data in found.values():
-        (fit,) = data["fits"]
-        assert fit["theory"] == data["order"]
-        # generic values, so that no error term vanishes
-        assert abs(float(fit["fitted"]) - fit["theory"]) < 0.2
+        quantities = [fit["quantity"] for fit in data["fits"][1:]]
+        assert quantities == ["equilibrium amplitudes", "stability", "saddle-node"]
+        assert data["fits"][0]["theory"] == data["order"]
+        for fit in data["fits"]:
+            # generic values, so that no error term vanishes
+            assert abs(float(fit["fitted"]) - fit["theory"]) < 0.2
 
 
 def steady(order: int, values: dict[str, float], guess: complex) -> complex:
@@ -88,10 +91,27 @@ def test_order_2_against_exact_periodic_motions() -> None:
         start = steady(2, small, first)
         half = 1 + small["sigma"] / 2
         known = {k: small[k] for k in ("omega", "f", "alpha", "mu")} | {"Omega": 2 * half}
-        (path, _), multipliers = orbit(
-            eom, known, 2 * np.pi / half, [start.real, -half * start.imag]
-        )
-        assert np.abs(multipliers).max() < 1
-        errors.append(abs(start) - harmonic(path, 1))
+        problem = mg.orbits.problem(eom, known)
+        found = mg.orbits.find(problem, [start.real, -half * start.imag], periods=2)
+        assert found.stable
+        errors.append(abs(start) - found.amplitude())
     # a term of the next order besides, of which ε is the factor
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.2)
+
+
+@pytest.mark.parametrize("order", [1, 2])
+def test_emitted_response_begins_at_the_boundaries_of_rest(order: int) -> None:
+    """Pitchforks: order 1 at σ² = f² − 4μ², order 2 where Floquet's zone ends but for ε³."""
+    case = emitted("mathieu_duffing", f"Omega_is_two_omega_order_{order}")
+    values = {"omega": 1.0, "f": 0.1, "alpha": 0.2, "mu": 0.02, "eta": 0.0}
+    response = case.frequency_response(**values, sigma=np.linspace(-0.12, 0.12, 121))
+    found = [b.parameter for b in response.bifurcations if b.kind == "pitchfork"]
+    half = np.sqrt(0.1**2 - 4 * 0.02**2)
+    if order == 1:
+        assert found == pytest.approx([-half, half], rel=1e-8)  # located to 1e-10
+    else:
+        left = 2 * mu * d(x) + (omega**2 + 2 * f * cos(Omega * t)) * x
+        known = {"omega": 1.0, "f": 0.1, "mu": 0.02}
+        zone = mg.floquet.boundary(equations([left + d(x, 2)], [x]), known, Omega, (1.85, 2.15))
+        # f, μ and σ are below 0.1; the coefficients of the next order are below one
+        assert found == pytest.approx(np.array(zone.zones[0]) - 2, abs=0.1**3)

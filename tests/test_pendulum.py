@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from entries import certificates, demand_notebook, emitted
-from orbits import harmonic, orbit
 from scipy.optimize import fsolve
 from sympy import cos, sin, symbols
 from systems import Omega, d, equations, mu, omega, t, x
@@ -13,7 +12,7 @@ from systems import Omega, d, equations, mu, omega, t, x
 import mmsgen as mg
 from mmsgen.equations import EquationsOfMotion
 
-h, z = symbols("h z", positive=True)
+h, z = symbols("h z", nonnegative=True)
 
 
 def exact(gravity: int = 1) -> EquationsOfMotion:
@@ -36,11 +35,16 @@ def test_certificates_of_the_pendulum() -> None:
         "Omega_is_two_omega_order_1",
         "Omega_is_two_omega_order_2",
     ]
-    for data in found.values():
-        (fit,) = data["fits"]
-        assert fit["theory"] == data["order"]
-        # generic values; motions come into their asymptotic range late
-        assert abs(float(fit["fitted"]) - fit["theory"]) < 0.2
+    for name, data in found.items():
+        quantities = [fit["quantity"] for fit in data["fits"][1:]]
+        assert quantities == ["equilibrium amplitudes", "stability"]
+        assert data["fits"][0]["theory"] == data["order"]
+        for fit in data["fits"]:
+            # generic values; motions come into their asymptotic range late. At a fixed σ swings to
+            # and fro are off resonance, smaller by ε than is provided for: what order 2 leaves of
+            # their exponents then is of order 4
+            more = fit["quantity"] == "stability" and "order_2" in name and "_omega_order" in name
+            assert -0.2 < float(fit["fitted"]) - fit["theory"] < 0.2 + more
 
 
 def steady(module: str, values: dict[str, float], size: float) -> list[complex]:
@@ -94,8 +98,8 @@ def exact_swing(values: dict[str, float], start: complex, multiple: int) -> floa
     known = {"h": 0.0, "z": 0.0, **values, "Omega": multiple * speed}
     del known["sigma"]
     state = [start.real, -speed * start.imag]
-    (path, _), _ = orbit(exact(), known, 2 * np.pi / speed, state)
-    return float(harmonic(path, 1))
+    problem = mg.orbits.problem(exact(), known)
+    return mg.orbits.find(problem, state, periods=multiple).amplitude()
 
 
 def test_swing_of_parametric_resonance_to_order_2() -> None:
