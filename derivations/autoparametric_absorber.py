@@ -181,7 +181,7 @@ over = {**NUMBERS, "sigma_2": 0.0, "f": np.linspace(0, 0.03, 201)}
 figure = drawn(working, over, "f (1/s²)", LABELS)
 
 # %% [markdown]
-# Over the frequency of the force. On the dashed branch with a peak the pendulum hangs still: so high
+# Over the frequency of the force. On the dashed branch with a peak the pendulum is at rest: so high
 # would the mass be shaken without an absorber, and between the pitchforks that is unstable. Outside
 # of them the pendulum may be at rest or swing, up to the saddle-nodes. Order 1 is the formula.
 
