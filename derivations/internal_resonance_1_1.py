@@ -15,13 +15,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sp
 from IPython.display import Markdown
-from scipy.integrate import solve_ivp
-from scipy.optimize import fsolve
 from sympy.physics.mechanics import dynamicsymbols
+from two_amplitudes import drawn
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.loading import load
 
 # %% [markdown]
 # ## 1. Model
@@ -196,64 +194,48 @@ print(f"unstable for {sp.N(nu_low, 3)} < ν < {sp.N(nu_high, 3)}")
 #
 # ### Out of the plane
 #
-# Steady motion of the unexpanded equations seen from above, for $\nu = 0$ and $\nu = 1.2$,
-# lightly damped, from a start that is not quite in the plane. Dashed: the ellipse from the
-# equilibrium of the emitted slow flow.
+# All equilibria over ν, lightly damped. Along the straight line of the right panel the pendulum
+# stays in the plane; at the pitchforks, which are close to the bounds of Miles, it leaves it to
+# whirl. Between two Hopf points the whirling motion is unstable too, and for most of these ν no
+# steady motion is left that is stable. Points: periodic orbits of the unexpanded equations.
 
 # %%
-AT = {"L": 1.0, "omega_x": 1.0, "omega_y": 1.0, "mu": 0.008, "f": 0.01}
-numbers = {q.symbol: AT[q.name] for q in eom.parameters if q.name in AT}
-solved = [(q.diff(t, 2) - e).subs(numbers) for q, e in zip((x, y), eom.equations, strict=True)]
-accelerations = sp.lambdify([t, (x, y), (dx, dy), Omega], solved, "math", cse=True)
-emitted = load(shaken)
+NUMBERS = {"L": 1.0, "omega_x": 1.0, "mu": 0.008, "f": 0.01, "sigma_1": 0.0}
+unit = NUMBERS["f"] ** (2 / 3) / 2  # of the detuning, where ν is 1
+over = {**NUMBERS, "sigma_2": unit * np.linspace(-3, 3, 401)}
+whirls = drawn({2: shaken}, over, "ν", ["$a_x$ (m)", "$a_y$ (m)"], 30, scale=1 / unit)
 
+# %% [markdown]
+# Two of the stable motions seen from above.
 
-def orbit(frequency, settle=150):
-    """One period of the steady motion, x and y."""
-    period = 2 * np.pi / frequency
-    window = np.linspace(settle * period, (settle + 1) * period, 129)
-
-    def state(time, s):
-        s = s.tolist()
-        return [*s[2:], *accelerations(time, s[:2], s[2:], frequency)]
-
-    start = [0.0, 0.1, 0.1, 0.0]
-    return solve_ivp(state, (0, window[-1]), start, "DOP853", window, rtol=1e-7, atol=1e-9).y[:2]
-
-
-def ellipse(detuning, guess):
-    """One period of the slow flow's equilibrium near a guess, x and y."""
-    known = {n: AT[n] for n in ("L", "omega_x", "mu", "f")}
-    known |= {"sigma_1": 0.0, "sigma_2": detuning}
-
-    def rest(parts):
-        rate = emitted.slow_flow(parts[:2] + 1j * parts[2:], **known)
-        return np.concatenate([rate.real, rate.imag])
-
-    found = fsolve(rest, np.concatenate([guess.real, guess.imag]), xtol=1e-12)
-    turn = np.exp(1j * np.linspace(0, 2 * np.pi, 129))
-    return 2 * ((found[:2] + 1j * found[2:])[:, None] * turn).real
-
-
-orbit_figure, panels = plt.subplots(1, 2, figsize=(6.4, 3.4), layout="constrained", sharey=True)
+# %%
+orbit_figure, panels = plt.subplots(1, 2, figsize=(6.4, 3.8), layout="constrained", sharey=True)
+turn = np.exp(1j * np.linspace(0, 2 * np.pi, 129))
 for axes, number in zip(panels, (0.4, 1.2), strict=True):
-    detuning = number / 2 * AT["f"] ** (2 / 3)
-    found = orbit(1 + detuning)
-    phases = np.exp(-2j * np.pi * np.arange(128) / 128)
-    drawn = ellipse(detuning, found[:, :128] @ phases / 128)
-    axes.plot(*found, color=plotting.COLOURS[0], lw=1, label="unexpanded equations")
-    axes.plot(*drawn, color=plotting.COLOURS[1], ls="--", label="slow flow, order 2")
+    here = {**NUMBERS, "sigma_2": unit * number}
+    found = shaken.slow_flow.equilibria(here)
+    (stable,) = found.amplitudes[found.stable][:1]
+    orbit = mg.orbit_near(shaken, here, stable).orbit
+    assert orbit.stable
+    exact = orbit(np.linspace(0, orbit.period, 129))
+    axes.plot(*exact[:2], color=plotting.COLOURS[0], lw=1, label="periodic orbit")
+    drawn_ellipse = 2 * (stable[:, None] * turn).real
+    axes.plot(*drawn_ellipse, color=plotting.COLOURS[1], ls="--", label="slow flow, order 2")
     axes.set(
         title=f"ν = {number}", xlabel="x (m)", aspect="equal", xlim=(-0.4, 0.4), ylim=(-0.4, 0.4)
     )
 panels[0].set_ylabel("y (m)")
-legend = panels[1].legend(frameon=False, fontsize="small")
+legend = orbit_figure.legend(
+    *panels[0].get_legend_handles_labels(), frameon=False, loc="outside lower center", ncols=2
+)
 
 # %% [markdown]
 # ## 5. Evidence
 #
 # Motions of the slow flow beside motions of the unexpanded equations, over times of order
-# $1/\varepsilon$: the distance, relative to the swing, must fall like $\varepsilon^N$.
+# $1/\varepsilon$: the distance, relative to the swing, must fall like $\varepsilon^N$. So must
+# the error of the amplitudes of a whirling motion beside those of the periodic orbit; the rates at
+# which disturbances of it die out or grow are better by one order.
 
 # %%
 GENERIC = {"omega_x": 0.67, "L": 1.2, "mu": 0.3, "f": 0.5, "sigma": 0.2, "sigma_1": 0.2,
@@ -266,6 +248,9 @@ def samples(case):
     return {name: value for name, value in {**GENERIC, "Omega": 1.7}.items() if name in wanted}
 
 
+WHIRLING = {"L": 1.0, "omega_x": 1.0, "mu": 0.1, "f": 0.3, "sigma_1": 0.0, "sigma_2": 0.1}
+found = shaken.slow_flow.equilibria(WHIRLING)
+whirling = found.amplitudes[found.modulus[:, 1] > 0][0]
 cases = [*free.values(), shaken]
 emission = mg.Emission(
     model="internal_resonance_1_1",
@@ -274,6 +259,7 @@ emission = mg.Emission(
     derivation="derivations/internal_resonance_1_1.py",
     source="Miles, Quarterly of Applied Mathematics 20 (1962) 21-32",
     amplitudes=lambda case: ([1.1 + 0.8j, -0.6 + 1.2j], 0.6),
+    steady=lambda case: [mg.Steady(WHIRLING, list(whirling))] if case is shaken else [],
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())
@@ -288,7 +274,8 @@ axes = plotting.convergence(
 # %% [markdown]
 # ## 6. The emitted functions
 #
-# Each module holds `slow_flow`, the rates of the complex amplitudes.
+# Each module holds `slow_flow`, the rates of the complex amplitudes, and what follows from it:
+# `equilibria`, `frequency_response`, `stability`, `response`.
 
 # %%
 Markdown("    " + mg.publish(emission).replace("\n", "\n    "))

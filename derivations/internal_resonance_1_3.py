@@ -12,17 +12,14 @@
 # 281–291.
 
 # %%
-import matplotlib.pyplot as plt
 import numpy as np
 import sympy as sp
 from IPython.display import Markdown
-from scipy.integrate import solve_ivp
-from scipy.optimize import fsolve
 from sympy.physics.mechanics import dynamicsymbols
+from two_amplitudes import drawn, used
 
 import mmsgen as mg
 from mmsgen import plotting, report
-from mmsgen.loading import load
 
 # %% [markdown]
 # ## 1. Model
@@ -200,75 +197,38 @@ follows = al[5] ** 2 * a_1**6 - (fast * mu_2 * a_2) ** 2 - bracket**2 * a_2**2
 assert sp.cancel((1 - angle[S] ** 2 - angle[C] ** 2) * al[5] ** 2 * a_1**6 - follows) == 0
 
 # %% [markdown]
-# Response of a system with a potential, over the frequency of the force. Lines: equilibria of the
-# emitted slow flow of order 2. Dots: the unexpanded equations, integrated until the motion is
-# steady, with the harmonics $\Omega$ of $u_1$ and $3\Omega$ of $u_2$.
+# Response of a system with a potential, over the frequency of the force. Lines: all equilibria of
+# the slow flow. Points: periodic orbits of the unexpanded equations, with the harmonics $\Omega$ of
+# $u_1$ and $3\Omega$ of $u_2$.
 
 # %%
-AT = {"omega_1": 1.0, "omega_2": 3.02, "mu_1": 0.02, "mu_2": 0.03, "F_1": 0.02, "F_2": 0.0,
-      "alpha_1": -0.1, "alpha_2": -0.6, "alpha_3": -0.2, "alpha_4": 0.0,
-      "alpha_5": -0.2, "alpha_6": -0.2, "alpha_7": 0.0, "alpha_8": -0.3}  # fmt: skip
-numbers = {p.symbol: AT[p.name] for p in eom.parameters if p.name in AT}
-accelerations = sp.lambdify(
-    [t, (u_1, u_2), (u_1.diff(t), u_2.diff(t)), Omega],
-    [
-        sp.solve(equation, q.diff(t, 2))[0].subs(numbers)
-        for equation, q in zip(eom.equations, eom.coordinates, strict=True)
-    ],
-    "math",
-)
-emitted = load(driven_slow[2])
-names = {p.name for p in driven_slow[2].parameters} - {"Omega", "omega_2", "sigma_2"}
-fixed = {name: {**AT, "sigma_1": AT["omega_2"] - 3}[name] for name in names}
+NUMBERS = {"omega_1": 1.0, "mu_1": 0.02, "mu_2": 0.03,
+           "alpha_1": -0.1, "alpha_2": -0.6, "alpha_3": -0.2, "alpha_4": 0.0,
+           "alpha_5": -0.2, "alpha_6": -0.2, "alpha_7": 0.0, "alpha_8": -0.3}  # fmt: skip
+LABELS = ["$a_1$ (m)", "$a_2$ (m)"]
+over = {**NUMBERS, "F_1": 0.06, "F_2": 0.0, "sigma_1": 0.02,
+        "sigma_2": np.linspace(-0.1, 0.2, 401)}  # fmt: skip
+response_figure = drawn(driven_slow, over, r"$\sigma_2 = \Omega - \omega_1$ (rad/s)", LABELS, 24)
 
-
-def steady(frequency, settle=50, periods=4):
-    """Amplitudes of the harmonics Ω of u_1 and 3Ω of u_2, once transients are gone."""
-    period = 2 * np.pi / frequency
-    window = np.linspace(settle * period, (settle + periods) * period, 64 * periods, endpoint=False)
-
-    def state(time, s):
-        s = s.tolist()
-        return [*s[2:], *accelerations(time, s[:2], s[2:], frequency)]
-
-    y = solve_ivp(state, (0, window[-1]), [0.0] * 4, "DOP853", window, rtol=1e-7, atol=1e-9).y
-    return [
-        2 * abs(np.mean(y[j] * np.exp(-1j * k * frequency * window))) for j, k in ((0, 1), (1, 3))
-    ]
-
-
-def equilibrium(detuning, guess):
-    """Complex amplitudes at rest, from a guess nearby."""
-
-    def rates(parts):
-        rate = emitted.slow_flow(parts[:2] + 1j * parts[2:], sigma_2=detuning, **fixed)
-        return np.concatenate([rate.real, rate.imag])
-
-    return fsolve(rates, guess, xtol=1e-12)
-
-
-detunings = np.linspace(-0.06, 0.08, 57)
-line, guess = np.empty((len(detunings), 2)), np.array([0.1, 0.0, 0.0, 0.0])
-for i, detuning in enumerate(detunings):
-    guess = equilibrium(detuning, guess)
-    line[i] = 2 * np.abs(guess[:2] + 1j * guess[2:])
-dots = detunings[4::12]
-found = np.array([steady(1 + detuning) for detuning in dots])
+# %% [markdown]
+# If the faster one is driven, the slower one may stay at rest at every frequency, and that motion
+# stays stable: cubic terms do not wake it up. But there is another one, in which the slower
+# oscillator swings at a third of the frequency. It does not branch off: it is a closed curve, which
+# begins and ends in saddle-nodes, and one gets there by a kick.
 
 # %%
-response_figure, axes = plt.subplots(figsize=(6.4, 3.2), layout="constrained")
-for j, (name, scale) in enumerate((("$a_1$", 1), ("$10\\,a_2$", 10))):
-    colour = plotting.COLOURS[j]
-    axes.plot(detunings, scale * line[:, j], color=colour, ls=plotting.DASHES[j], label=name)
-    axes.plot(dots, scale * found[:, j], plotting.MARKERS[j], color=colour, mfc="none")
-axes.set(xlabel=r"$\sigma_2 = \Omega - \omega_1$ (rad/s)", ylabel="amplitude (m)", ylim=(0, None))
-legend = axes.legend(frameon=False)
+over = {**NUMBERS, "F_1": 0.0, "F_2": 0.15, "sigma_1": 0.0,
+        "sigma_2": np.linspace(0.0, 0.12, 401)}  # fmt: skip
+first = {1: driven_fast[1]}
+figure = drawn(first, over, r"$\sigma_2 = \Omega - \omega_2$ (rad/s)", LABELS, 28)
 
 # %% [markdown]
 # ## 6. Evidence
 #
 # Motions of the slow flow beside motions of the unexpanded equations, over times of order
-# $1/\varepsilon$: the distance must fall like $\varepsilon^N$.
+# $1/\varepsilon$: the distance must fall like $\varepsilon^N$. So must the
+# error of steady amplitudes beside those of periodic orbits; the rates at which disturbances of
+# them die out are better by one order.
 
 # %%
 GENERIC = {"omega_1": 0.57, "mu_1": 0.11, "mu_2": 0.17, "alpha_1": 0.3, "alpha_2": 0.5,
@@ -283,6 +243,21 @@ def samples(case):
     return {name: GENERIC[name] for name in GENERIC if name in wanted}
 
 
+def steady(case):
+    """Where there is a force: with that on the faster one, the one that swings at a third of it."""
+    if case in free.values():
+        return []
+    if case in driven_slow.values():
+        values, first = SWINGING, driven_slow[1]
+    else:
+        values, first = {**SWINGING, "F_2": 0.6, "sigma_1": 0.0, "sigma_2": 0.2}, driven_fast[1]
+    found = first.slow_flow.equilibria(used(first, values)).amplitudes
+    return [mg.Steady(used(case, values), list(found[np.isfinite(found[:, 0])][-1]))]
+
+
+SWINGING = {"omega_1": 1.0, "mu_1": 0.08, "mu_2": 0.12, "F_1": 0.24, "F_2": 0.0,
+            "sigma_1": 0.08, "sigma_2": 0.12}  # fmt: skip
+SWINGING |= {c.name: 4 * NUMBERS[c.name] for c in alpha}
 cases = [free[2], *driven_fast.values(), *driven_slow.values()]
 emission = mg.Emission(
     model="internal_resonance_1_3",
@@ -291,6 +266,7 @@ emission = mg.Emission(
     derivation="derivations/internal_resonance_1_3.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 6",
     amplitudes=lambda case: ([0.3 + 0.4j, 0.3 + 0.2j], 0.5),
+    steady=steady,
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())
@@ -305,7 +281,8 @@ axes = plotting.convergence(
 # %% [markdown]
 # ## 7. The emitted functions
 #
-# Each module holds `slow_flow`, the rates of the complex amplitudes.
+# Each module holds `slow_flow`, the rates of the complex amplitudes, and what follows from it:
+# `equilibria`, `frequency_response`, `stability`, `response`.
 
 # %%
 Markdown("    " + mg.publish(emission).replace("\n", "\n    "))

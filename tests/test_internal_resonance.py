@@ -26,9 +26,11 @@ def test_the_notebooks_of_internal_resonance(name: str) -> None:
 def test_certificates_of_internal_resonance(name: str, cases: int) -> None:
     found = certificates(name)
     assert len(found) == cases
+    even = name == SPHERICAL  # x → −x, y → −y
     for module, data in found.items():
-        # generic values: no error term vanishes, and the next one is small beside it
-        demand_fits(data, 0.1, steady=name == QUADRATIC and "Omega" in module)
+        # generic values: no error term vanishes, and the next one is small beside it; the swing
+        # that is certified is not: its square is a twentieth at the largest ε that is fitted
+        demand_fits(data, 0.2 if even else 0.1, steady="Omega" in module, even=even)
 
 
 def test_saturation() -> None:
