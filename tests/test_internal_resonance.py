@@ -28,10 +28,8 @@ def test_certificates_of_internal_resonance(name: str, cases: int) -> None:
     assert len(found) == cases
     even = name == SPHERICAL  # x → −x, y → −y
     for module, data in found.items():
-        # generic values: no error term vanishes, and the next one is small beside it; but the
-        # stability of the whirl has a small ε⁴: at the least ε that rise above rounding errors fall
-        # by 18, not 16, as ε is halved, and log₂(18/16) is 0.17
-        demand_fits(data, 0.2 if even else 0.1, steady="Omega" in module, even=even)
+        # generic values: no error term vanishes, and the next one is small beside it
+        demand_fits(data, 0.1, steady="Omega" in module, even=even)
 
 
 def test_saturation() -> None:
