@@ -251,10 +251,9 @@ LABELS = ["$a_1$ (m)", "$a_2$ (m)"]
 figure = drawn(driven_fast, {**NUMBERS, "F_2": forces}, "$F_2$ (m/s²)", LABELS)
 
 # %% [markdown]
-# Over the frequency of the force, the coupling being weaker than the tuning is bad: the pitchforks
-# are where the slower oscillator wakes up and where it falls asleep, on both sides it goes on
-# beyond them to saddle-nodes, and in between there is an interval with no stable periodic motion at
-# all, bounded by Hopf points.
+# Over the frequency of the force, the two frequencies not being well tuned to each other: between
+# the pitchforks the slower oscillator cannot stay at rest, beyond them it may swing up to the
+# saddle-nodes, and between two Hopf points there is no stable periodic motion at all.
 
 # %%
 WEAK = {"omega_1": 1.0, "mu_1": 0.01, "mu_2": 0.01, "alpha_1": 0.16, "alpha_2": 0.16}
@@ -329,6 +328,8 @@ assert family.path.reason == "reached" and set(family.path.verdicts) == {"stable
 sizes = np.array([cycle.modulus for cycle in family.cycles])
 for j, axes in enumerate(figure.axes):
     axes.plot(family.values, sizes[:, j], color="0.4", lw=0.8)
+    axes.autoscale(axis="y")
+    axes.set_ylim(bottom=0)
 
 # %% [markdown]
 # In the middle of the valley the motion has two frequencies, and never repeats: the amplitudes go
@@ -361,7 +362,8 @@ print(f"T = {cycle.period:.1f} s; furthest apart: {np.abs(motion - made)[:2].max
 #
 # Motions of the slow flow, put back into coordinates, beside motions of the unexpanded equations
 # from the same state, over times of order $1/\varepsilon$. The distance must fall like
-# $\varepsilon^N$ at order $N$.
+# $\varepsilon^N$ at order $N$. So must the error of steady amplitudes beside those of periodic
+# orbits; the rates at which disturbances of them die out or grow are better by one order.
 
 # %%
 GENERIC = {"omega_1": 0.67, "mu_1": 0.11, "mu_2": 0.17, "alpha_1": 0.9, "alpha_2": 0.6,
@@ -410,7 +412,8 @@ axes = plotting.convergence(
 # %% [markdown]
 # ## 7. The emitted functions
 #
-# Each module holds `slow_flow`, the rates of the complex amplitudes.
+# Each module holds `slow_flow`, the rates of the complex amplitudes, and what follows from it:
+# `equilibria`, `frequency_response`, `stability`, `response`.
 
 # %%
 Markdown("    " + mg.publish(emission).replace("\n", "\n    "))
