@@ -8,6 +8,7 @@ from flow_tables import table
 
 from mmsgen.runtime._branches import response_of
 from mmsgen.runtime._flow import Flow, rates
+from mmsgen.runtime._points import NEUTRAL
 from mmsgen.runtime._records import Response
 
 
@@ -79,3 +80,19 @@ def test_a_fold_between_pitchforks() -> None:
     edge = abs(one * force) / (1.5 * mu)
     ends = [response.bifurcations[k].parameter for k in (0, 3)]
     assert ends == pytest.approx([-edge, edge], rel=1e-12)
+
+
+@pytest.mark.parametrize("turn", [0.0, 0.3, 7.7])
+def test_a_circle_is_born_whatever_its_drift(turn: float) -> None:
+    """B' = (μ/2 − μs²/4 + iτ)B − ½μB²B̄: the circle vanishes at s = √2, and growth with it."""
+    flow = Flow(1, ((0, (1, 0, 0)), (0, (2, 1, 0))), ((1,),))
+
+    def coefficients(s):
+        return np.stack([0.1 - 0.05 * s * s + 1j * turn, np.full(len(s), -0.1)], axis=-1)
+
+    for top in np.linspace(1.5, 1.9, 7):
+        response = response_of(flow, coefficients, np.linspace(0.01, top, 400))
+        (hopf,) = response.bifurcations
+        assert hopf.kind == "Hopf"
+        # Re λ has the slope −0.14, is zero below NEUTRAL of |λ|, and has a rounding of 1e-17.
+        assert hopf.parameter == pytest.approx(2**0.5, abs=1e-14 + NEUTRAL * turn / 0.14)

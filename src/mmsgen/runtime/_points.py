@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arcs import Curve
 from ._charts import equations, unpack
-from ._flow import Flow, jacobian, spectrum
+from ._flow import Flow, jacobian, spectrum, wirtinger
 from ._paths import solve
 from ._records import Bifurcation
 
@@ -179,16 +179,18 @@ def _crossings(flow: Flow, curve: Curve, points: Points, size: float) -> list[_M
     """Places where a product changes its sign between two points without a fold between them."""
     found: list[_Mark | None] = []
     folds = np.cumsum(points.fold)
-    for test, kind in ((points.steady, _at_branching), (points.swinging, _at_hopf)):
+    for which, test in enumerate((points.steady, points.swinging)):
         sure = np.flatnonzero((test != 0.0) & ~points.fold & np.isfinite(test))
         first, last = sure[:-1], sure[1:]
         change = np.sign(test[first]) * np.sign(test[last]) < 0.0
         change &= (folds[first] == folds[last]) & (last - first <= 3)
         for a, b in zip(first[change], last[change], strict=True):
-            which = 0 if kind is _at_branching else 1
             place = _located(flow, curve, points, int(a), int(b), which)
             if place is not None:
-                found.append(kind(flow, curve, place, size))
+                if which:
+                    found.append(_at_hopf(flow, curve, place, points, size))
+                else:
+                    found.append(_at_branching(flow, curve, place, size))
     return found
 
 
@@ -232,14 +234,19 @@ def _located(flow: Flow, curve: Curve, points: Points, a: int, b: int, which: in
     return best if np.isfinite(best.parameter).all() else None
 
 
-def _at_hopf(flow: Flow, curve: Curve, place: Points, size: float) -> _Mark | None:
+def _at_hopf(
+    flow: Flow, curve: Curve, place: Points, along: Points, size: float
+) -> _Mark | None:
     """A Hopf point, unless the two eigenvalues are real and opposite."""
     c = curve.coefficients(place.parameter)
     values = spectrum(flow, c, place.amplitudes, place.drift if flow.symmetries else None)[0]
     values = values[np.isfinite(values)]
     first, second = np.triu_indices(len(values), 1)
     k = int(np.argmin(np.abs(values[first] + values[second])))
-    one, scale = values[first[k]], 1e-6 * np.abs(values).max()
+    # All eigenvalues may vanish: then only the rounding is left of what is summed up elsewhere.
+    every = np.abs(curve.coefficients(along.parameter)), np.abs(along.amplitudes)
+    made_of = float(np.nanmax(np.abs(wirtinger(flow, *every))))
+    one, scale = values[first[k]], max(1e-6 * np.abs(values).max(), 1e-12 * made_of)
     if abs(one.imag) < scale:
         if abs(one.real) > scale:
             return None
