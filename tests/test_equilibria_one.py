@@ -18,6 +18,8 @@ from mmsgen.runtime._one_amplitude import equilibria_of_one
 from mmsgen.runtime._records import Equilibria
 from mmsgen.slowflow import SlowFlow
 
+EPS = 2.0**-52
+
 DUFFING = d(x, 2) + omega**2 * x + 2 * mu * d(x) + alpha * x**3
 
 
@@ -196,6 +198,51 @@ def test_nothing_jumps_near_a_fold() -> None:
     for distance in np.logspace(-3, -15, 40):
         assert row(fold(distance)).size in ((3,) if distance > 1e-13 else (2, 3))
         assert row(fold(-distance)).size in ((1,) if distance > 1e-13 else (1, 2))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_cusp(seed: int) -> None:
+    """B (p + q|B|²) = −g with |B|²|p + q|B|²|² − |g|² = |q|²(|B|² − x)³: one triple root.
+
+    Both sides of the first equation are some dozen roundings wide, 64 ε at most of the sum of the
+    terms' absolute values, at most six times |g|: |B|² − x is below x (2·6·64 ε)^{1/3} = 6e-5 x.
+    """
+    random = np.random.default_rng(seed)
+    flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+    q = random.normal(size=25) + 1j * random.normal(size=25)
+    x = 10 ** random.uniform(-2, 2, 25)
+    p = q * x * (-1.5 + 0.5j * np.sqrt(3) * random.choice([-1, 1], 25))
+    g = np.abs(q) * x**1.5 * np.exp(2j * np.pi * random.random(25))
+    found = equilibria_of_one(flow, np.stack((g, p, q), axis=-1))
+    assert found.number.tolist() == 25 * [1]
+    assert np.abs(found.amplitudes[:, 0, 0]) ** 2 == pytest.approx(x, rel=6e-5)
+
+
+@pytest.mark.parametrize("distance", np.logspace(-3, -15, 13))
+def test_between_the_folds_of_a_cusp(distance: float) -> None:
+    """y³ − 3D²y/4 = 0 with y = |B|² − x: three roots x and x ± D√(3/4), if rounding allows them.
+
+    The triple root is about 1e-5 wide.
+    """
+    d = 0.75 * distance**2
+    # |B|²|p + |B|²|² = g² + (|B|² − 1)³ − d (|B|² − 1): g² = 1 − d, 2 Re p = −3, |p|² = 3 − d.
+    flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+    c = np.array([np.sqrt(1 - d), -1.5 + 1j * np.sqrt(3 - d - 2.25), 1.0])
+    found = equilibria_of_one(flow, c)
+    squares = np.abs(found.amplitudes[:, 0]) ** 2
+    if distance > 1e-4:
+        # Roundings 64 ε over the slope D².
+        side = np.sqrt(d)
+        assert squares == pytest.approx([1 - side, 1.0, 1 + side], abs=100 * EPS / d)
+    elif distance < 1e-6:
+        assert len(squares) == 1
+
+
+def test_everything_vanishes() -> None:
+    flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+    with pytest.raises(ValueError, match="not isolated"):
+        equilibria_of_one(flow, np.zeros(3))
+    assert equilibria_of_one(flow, np.diag([0.0, 1.0, 1.0])).number.tolist() == [0, 1, 1]
 
 
 def test_no_equilibrium() -> None:

@@ -14,6 +14,7 @@ import numpy as np
 
 from ._elimination import Polynomial, Structure, harmonics, relation, structure_of
 from ._flow import Flow, wirtinger
+from ._newton import Point, polished, sums
 from ._records import Equilibria
 from ._roots import near_roots
 
@@ -31,14 +32,6 @@ BLOCK = 2048
 
 # Extrema of the resultant that are relatively this small may be roots that its rounding hides.
 LOOSE = 1e-8
-
-# What is left of the rates at an equilibrium, relative to the sum of their terms' absolute values:
-# some dozen roundings. A fold that is missed by less than this counts as an equilibrium.
-RESIDUAL = 64.0 * EPS
-
-# Equilibria that are closer than this, relatively, are one: so are two that are a relative distance
-# of 1e-14 from the fold at which they meet.
-SAME = 1e-7
 
 # --- equilibria -----------------------------------------------------------------------------------
 
@@ -135,9 +128,9 @@ def _solved(flow: Flow, structure: Structure, c: NDArray[np.complex128]) -> tupl
     row, r = _moduli(eliminated, len(c), 0.0 if structure.circle else LOOSE)
     if structure.degree:
         row, r, w = _phases(structure, c, row, r)
-        point = _polished(structure, c, row, r, np.angle(w))
+        point = polished(structure, c, row, r, np.angle(w))
     else:
-        point = _Point(row, r, np.zeros_like(r), _sums(structure, c[row], r, np.ones_like(r)))
+        point = Point(row, r, np.zeros_like(r), sums(structure, c[row], r, np.ones_like(r)))
     drift, growth = _stability(structure, point)
     row, b, drift, growth = _every_phase(structure, point, drift, growth)
     zero = np.flatnonzero(~filled & _zero_is_one(flow, c))
@@ -186,38 +179,6 @@ def _moduli(
     return row, found ** (1.0 / step)
 
 
-class _Sums(NamedTuple):
-    """P = Σ f_k w^k at some points; its derivatives by ln r and by the angle of w; sizes."""
-
-    value: NDArray[np.complex128]
-    radial: NDArray[np.complex128]
-    angular: NDArray[np.complex128]
-    size: NDArray[np.float64]
-
-    def at(self, index: NDArray[np.int64]) -> _Sums:
-        """Some of the points."""
-        return _Sums(self.value[index], self.radial[index], self.angular[index], self.size[index])
-
-
-def _sums(structure: Structure, c: NDArray[np.complex128], r: NDArray[np.float64], w: Any) -> _Sums:
-    value, slope, size = harmonics(structure, c, r)
-    total, radial, angular, turn = value[0], slope[0], 0.0 * value[0], w
-    for k in range(1, structure.degree + 1):
-        term = value[k] * turn
-        total, radial, angular = total + term, radial + slope[k] * turn, angular + (1j * k) * term
-        turn = turn * w
-    return _Sums(total, radial, angular, sum(size))
-
-
-class _Point(NamedTuple):
-    """Candidates in polar form, w = e^{iθ}, and the sums there."""
-
-    row: NDArray[np.int64]
-    r: NDArray[np.float64]
-    angle: NDArray[np.float64]
-    sums: _Sums
-
-
 def _phases(
     structure: Structure,
     c: NDArray[np.complex128],
@@ -252,45 +213,6 @@ def _phases(
     return row[near], r[near], w[near]
 
 
-def _polished(
-    structure: Structure,
-    c: NDArray[np.complex128],
-    row: NDArray[np.int64],
-    r: NDArray[np.float64],
-    angle: NDArray[np.float64],
-) -> _Point:
-    """Newton's method in ln r and the angle; drops what is no equilibrium, or there twice."""
-    own, r, angle = c[row], r.copy(), angle.copy()
-    going: Any = slice(None)
-    for _ in range(16):
-        s = _sums(structure, own[going], r[going], np.exp(1j * angle[going]))
-        det = s.radial.real * s.angular.imag - s.radial.imag * s.angular.real
-        det = np.where(det == 0.0, np.inf, det)
-        out = (s.value.imag * s.angular.real - s.value.real * s.angular.imag) / det
-        turn = (s.value.real * s.radial.imag - s.value.imag * s.radial.real) / det
-        length = np.maximum(np.abs(out), np.abs(turn))
-        short = np.minimum(1.0, 0.1 / np.maximum(length, 1e-300))
-        r[going] *= np.exp(short * out)
-        angle[going] += short * turn
-        going = np.arange(len(r))[going][length > 1e-9]
-        if not len(going):
-            break
-    s = _sums(structure, own, r, np.exp(1j * angle))
-    good = np.abs(s.value) <= RESIDUAL * s.size
-    order = np.flatnonzero(good)
-    order = order[np.lexsort((r[order], row[order]))]
-    row, r, angle = row[order], r[order], angle[order]
-    kept = np.ones(len(row), dtype=bool)
-    for shift in range(1, min(6, len(row))):
-        near = (r[shift:] - r[:-shift] <= SAME * r[shift:]) & (row[shift:] == row[:-shift])
-        later = np.flatnonzero(near) + shift
-        turned = np.abs(np.exp(1j * (angle[later] - angle[later - shift])) - 1.0)
-        later = later[turned <= SAME]
-        kept[later] &= ~kept[later - shift]
-    order = order[kept]
-    return _Point(row[kept], r[kept], angle[kept], s.at(order))
-
-
 def _largest(trace: Any, determinant: Any) -> Any:
     """The largest real part of the eigenvalues of a real 2 × 2 matrix."""
     half = 0.5 * trace
@@ -300,7 +222,7 @@ def _largest(trace: Any, determinant: Any) -> Any:
 
 
 def _stability(
-    structure: Structure, point: _Point
+    structure: Structure, point: Point
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Drift and growth rate: eigenvalues of the Jacobian of d(ln r)/dt and dγ/dt."""
     _, r, angle, s = point
@@ -310,14 +232,15 @@ def _stability(
     factor = scale * np.exp((1j * structure.lowest / structure.fold) * angle)
     radial, angular = factor * s.radial, (structure.fold * factor) * s.angular
     trace = radial.real + angular.imag
-    size = scale * s.size * (1 + max((p + structure.fold * k for _, k, p in structure.terms)))
+    highest = max((p + structure.fold * k for _, k, p in structure.terms), default=0)
+    size = scale * s.size * (1 + highest)
     trace = np.where(np.abs(trace) <= 4.0 * EPS * size, 0.0, trace)
     determinant = radial.real * angular.imag - radial.imag * angular.real
     return np.zeros_like(r), _largest(trace, determinant)
 
 
 def _every_phase(
-    structure: Structure, point: _Point, drift: Any, growth: Any
+    structure: Structure, point: Point, drift: Any, growth: Any
 ) -> tuple[Any, Any, Any, Any]:
     """Each of the m phases, in increasing order of |B| and then of the phase in [0, 2π)."""
     row, r, angle, _ = point
