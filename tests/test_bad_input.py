@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 
+import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import HealthCheck, given, settings
@@ -152,3 +153,10 @@ def test_an_order_for_which_nothing_is_left() -> None:
     with pytest.raises(ExpansionError, match=r"order from 1 to 1 in ε.*ask for a higher order"):
         scaled.expand(1)
     assert any(scaled.expand(2).solvability[2].values())
+
+
+def test_masked_values_are_named() -> None:
+    flow = mathieu().expand(1, {Omega: 2 * omega}).slow_flow
+    masked = np.ma.masked_array([0.1, 0.2], [False, True])
+    with pytest.raises(MmsgenError, match="sigma has masked values"):
+        flow.growth_rate({"sigma": masked})

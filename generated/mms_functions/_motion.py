@@ -16,7 +16,7 @@ import numpy as np
 
 from ._dual import array_slopes
 from ._flow import Flow, _product
-from ._runtime import checked_amplitudes, evaluate_array
+from ._runtime import checked_amplitudes, evaluate_array, refuse_masked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -188,6 +188,7 @@ def _multiples(exponents: tuple[int, ...], harmonics: tuple[int, ...]) -> NDArra
 def _drifted(columns: Sequence[Any], times: Any, drift: ArrayLike, slow: Slow | None) -> list[Any]:
     """Amplitudes on their way along the symmetries."""
     symmetries = () if slow is None else slow.flow.symmetries
+    refuse_masked("drift", drift)
     rates = np.asarray(drift)
     if rates.dtype.kind not in "iuf" or rates.ndim == 0 or rates.shape[-1] != len(symmetries):
         raise ValueError(
@@ -246,6 +247,7 @@ def _slowness(
 
 
 def _checked_times(t: ArrayLike) -> NDArray[np.float64]:
+    refuse_masked("the array of times", t)
     times = np.asarray(t)
     if times.dtype.kind not in "iuf" or not np.isfinite(times).all():
         raise ValueError(f"the time must be real and finite, got {t!r}")

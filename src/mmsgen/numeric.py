@@ -11,6 +11,7 @@ import sympy as sp
 
 from .errors import MmsgenError
 from .parameters import Parameter, by_name
+from .runtime._runtime import refuse_masked
 
 __all__ = ["Evaluator", "compiled", "named_values"]
 
@@ -46,6 +47,10 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
             raise MmsgenError(f"{name} is not a parameter here; known are {', '.join(known)}")
         if name in table:
             raise MmsgenError(f"a value for {name} is given twice")
+        try:
+            refuse_masked(name, value)
+        except ValueError as error:
+            raise MmsgenError(str(error)) from None
         try:
             number = np.asarray(value)
         except ValueError:

@@ -286,3 +286,18 @@ def test_shapes_that_do_not_broadcast_are_told_by_name() -> None:
     wrong = {**VALUES, "sigma": np.zeros(3), "r_b": np.full((2, 2), 0.2)}
     with pytest.raises(ValueError, match=r"sigma: \(3,\).*r_b: \(2, 2\)"):
         rotor().growth_rate(**wrong)
+
+
+def test_masked_values_are_refused() -> None:
+    # Without its mask an array would show what is beneath it.
+    masked = np.ma.masked_array([0.1, 0.2], [False, True])
+    for value in (masked, [masked, masked]):
+        with pytest.raises(ValueError, match="sigma has masked values"):
+            rotor().growth_rate(**OTHERS, sigma=value)
+    amplitudes = np.ma.masked_array(np.ones(6), np.arange(6) == 2)
+    with pytest.raises(ValueError, match="array of amplitudes has masked values"):
+        rotor().slow_flow(amplitudes, **VALUES)
+    with pytest.raises(ValueError, match="array of times has masked values"):
+        rotor().evolution(masked, np.ones(6), **VALUES)
+    whole = np.ma.masked_array([0.1, 0.2], False)
+    assert rotor().growth_rate(**OTHERS, sigma=whole).shape == (2,)

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._runtime import checked_amplitudes, evaluate_array, stacked
+from ._runtime import checked_amplitudes, evaluate_array, refuse_masked, stacked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -71,6 +71,7 @@ def checked_times(t: ArrayLike) -> NDArray[np.float64]:
     ValueError
         If a value is not a finite real number.
     """
+    refuse_masked("the array of times", t)
     array = np.asarray(t)
     if array.dtype.kind not in "iuf":
         raise ValueError(f"the times must be real numbers, got {t!r}")

@@ -15,7 +15,7 @@ import numpy as np
 from ._dual import array_slopes, real_at
 from ._flow import Flow, jacobian, rates, spectrum
 from ._records import Equilibria, Response
-from ._runtime import checked_amplitudes, evaluate, evaluate_array
+from ._runtime import checked_amplitudes, evaluate, evaluate_array, refuse_masked
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -168,6 +168,7 @@ def backbone_at(
     ValueError
         If the amplitude is not a finite real number, or negative, or the shapes do not broadcast.
     """
+    refuse_masked("the amplitude", amplitude)
     a = np.asarray(amplitude)
     if a.dtype.kind not in "iuf" or not np.isfinite(a).all() or (a < 0.0).any():
         raise ValueError(f"the amplitude must be finite and not negative, got {amplitude!r}")

@@ -5,6 +5,7 @@ NumPy is all that is needed.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -28,6 +29,7 @@ __all__ = [
     "multiply_out",
     "no_edges",
     "quadratic_growth",
+    "refuse_masked",
     "stacked",
 ]
 
@@ -71,6 +73,22 @@ def _within(low: float, high: float, domain: str) -> bool:
     return low > -np.inf and high < np.inf
 
 
+def refuse_masked(name: str, value: Any) -> None:
+    """Refuse values that are masked: an array without its mask would show what is beneath.
+
+    A masked array in which nothing is masked passes.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
+    """
+    masked = sys.modules.get("numpy.ma")  # which NumPy loads late; without it there are none
+    parts = value if isinstance(value, list | tuple) else (value,)
+    if masked and any(isinstance(v, masked.MaskedArray) and masked.is_masked(v) for v in parts):
+        raise ValueError(f"{name} has masked values: leave these points out")
+
+
 def checked(
     parameters: Mapping[str, tuple[str, str, str]], /, **values: ArrayLike
 ) -> list[NDArray[np.float64]]:
@@ -90,6 +108,7 @@ def checked(
     arrays = []
     for name, value in values.items():
         domain = parameters[name][0]
+        refuse_masked(name, value)
         try:
             array = np.asarray(value)
         except ValueError as error:
@@ -128,6 +147,7 @@ def checked_amplitudes(
     ValueError
         If the last axis has another length, or a value is not a finite number.
     """
+    refuse_masked("the array of amplitudes", amplitudes)
     array = np.asarray(amplitudes)
     if array.dtype.kind not in "iufc":
         raise ValueError(f"amplitudes must be complex numbers, got {amplitudes!r}")
