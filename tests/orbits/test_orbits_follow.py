@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from orbit_systems import duffing, mathieu_duffing, van_der_pol
+from orbit_systems import duffing, equations, mathieu_duffing, mu, t, u, van_der_pol
 
 import mmsgen as mg
 
@@ -150,3 +150,30 @@ def test_an_isola_closes() -> None:
     path = mg.orbits.follow(problem, orbit, "Omega", (3.0, 8.0))
     assert path.reason == "closed"
     assert len(path.folds) == 2
+
+
+def test_a_forced_motion_is_followed_through_rest() -> None:
+    # −K is K half a period later: the path beyond rest is the one before it, and has no specials.
+    orbit = forced({"mu": 0.05, "alpha": 0.1, "K": 0.05, "Omega": 1.1})
+    path = mg.orbits.follow(orbit.problem, orbit, "K", -0.05)
+    assert (path.reason, path.specials) == ("reached", ())
+    first, last = path.orbits[0], path.orbits[-1]
+    half = np.asarray(first(first.times + first.period / 2))
+    assert np.abs(last.states - half).max() < 2 * (first.error + last.error).max()
+    # Steps go on where the motion is small: none of the many that a step measured by a vanishing
+    # motion would take. Orbits shrink by some 0.7 a step to a thousandth, and grow again.
+    sizes = path.amplitude()
+    assert 0 < sizes.min() < 1e-3 * sizes.max()
+    assert len(path.orbits) < 2 * np.log(1e-3) / np.log(0.7) + 40
+
+
+def test_a_family_that_shrinks_to_a_point_says_so() -> None:
+    # u'' − (μ − u²)u' + u = 0: the cycle, of amplitude 2√μ(1 + O(μ)), begins at μ = 0.
+    left = u.diff(t, 2) - (mu - u**2) * u.diff(t) + u
+    problem = mg.orbits.problem(equations([left], [u]), {"mu": 0.1})
+    orbit = mg.orbits.find(problem, lambda s: [0.6 * np.cos(s)], 6.28)
+    path = mg.orbits.follow(problem, orbit, "mu", -0.1)
+    assert path.reason == "rest"
+    assert path.orbits[-1].amplitude() < 1e-3 * orbit.amplitude()
+    # the last value is that of the amplitude, up to the errors of the states, 1e-10 of 0.6
+    assert path.values[-1] == pytest.approx((path.orbits[-1].amplitude() / 2) ** 2, rel=1e-4)

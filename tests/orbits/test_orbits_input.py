@@ -101,3 +101,32 @@ def test_ranges_and_parameters_are_checked() -> None:
     with pytest.raises(mg.OrbitError, match="no fold"):
         easy = problem.at("alpha", 1e-3)
         mg.orbits.fold(easy, orbit, lambda s: [np.cos(1.1 * s)], "Omega", 0.1)
+
+
+@pytest.mark.parametrize(
+    ("option", "message"),
+    [
+        ({"step": 0.0}, "step must be a positive number, got 0.0; the direction"),
+        ({"step": -0.1}, "step must be a positive number, got -0.1; the direction"),
+        ({"step": np.nan}, "step must be a positive number"),
+        ({"largest": 0}, "largest must be a positive number, got 0"),
+        ({"longest": -1.0}, "longest must be a positive number"),
+        ({"tolerance": 0.0}, "tolerance must be a positive number"),
+        ({"points": 0}, "points, .* whole number, at least 2, got 0"),
+        ({"points": 2.5}, "points, .* whole number, at least 2, got 2.5"),
+    ],
+)
+def test_options_with_which_no_step_is_made(option: dict[str, float], message: str) -> None:
+    problem = mg.orbits.problem(duffing(), FORCED)
+    orbit = mg.orbits.find(problem, np.zeros((2, 5)))
+    with pytest.raises(mg.OrbitError, match=message):
+        mg.orbits.follow(problem, orbit, "K", 0.4, **option)
+
+
+def test_a_guess_that_is_no_number_is_called_so() -> None:
+    problem = mg.orbits.problem(duffing(), FORCED)
+    for guess in ([np.nan, 0.0], np.full((3, 5), np.inf), lambda s: np.full((2, len(s)), np.nan)):
+        with pytest.raises(mg.OrbitError, match="must be finite: it holds NaN"):
+            mg.orbits.find(problem, guess)
+    with pytest.raises(mg.OrbitError, match="tolerance must be a positive number"):
+        mg.orbits.find(problem, np.zeros((2, 5)), tolerance=0.0)

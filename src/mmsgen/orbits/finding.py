@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -152,6 +153,8 @@ def find(
     OrbitError
         If none is found, or orbits are not isolated, as in a conservative system.
     """
+    if not (isinstance(tolerance, Real) and 0 < tolerance < np.inf):
+        raise OrbitError(f"tolerance must be a positive number, got {tolerance!r}")
     start = curve_of(problem, guess, period, periods)
     last: OrbitError | None = None
     for _ in range(3):
@@ -224,10 +227,11 @@ def _states_of(
             step = 1e-5 / frequency
             ahead, behind = (np.atleast_2d(guess(t + x)) for x in (step, -step))
             states = np.concatenate([states, (ahead - behind) / (2 * step)])
-        if states.shape != (d, len(t)) or not np.isfinite(states).all():
+        if states.shape != (d, len(t)):
             raise OrbitError(
-                f"the guess must give finite states of shape ({d}, times), got {states.shape}"
+                f"the guess must give states of shape ({d}, times), got {states.shape}"
             )
+        _finite(states)
         return states.T
 
     return function
@@ -238,6 +242,7 @@ def _interpolated(
 ) -> Callable[[Floats], Floats]:
     """States by phase from equidistant ones, by their trigonometric polynomial."""
     d = problem.size
+    _finite(samples)
     if samples.shape == (d,):
         period = 2 * np.pi / frequency
         times = np.linspace(0.0, period, 65)[:-1]
@@ -246,8 +251,6 @@ def _interpolated(
         raise OrbitError(
             f"the guess must hold {d} states at three or more times, got shape {samples.shape}"
         )
-    if not np.isfinite(samples).all():
-        raise OrbitError("the guess must be finite")
     m = samples.shape[1]
     series = np.fft.rfft(samples, axis=1) / m
     weights = np.full(series.shape[1], 2.0)
@@ -261,6 +264,12 @@ def _interpolated(
         return np.asarray((waves @ series.T).real)
 
     return function
+
+
+def _finite(states: Floats) -> None:
+    """Refuse a guess with NaN or infinity among its states."""
+    if not np.isfinite(states).all():
+        raise OrbitError("the guess must be finite: it holds NaN or infinity")
 
 
 def _integrated(problem: Problem, start: Floats, times: Any, end: float) -> Floats:

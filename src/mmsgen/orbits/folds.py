@@ -90,11 +90,12 @@ def _turning(setting: Setting, start: Curve, tolerance: float) -> Special | None
     last = Point(first, tangent_of(first.setting, first.curve))
     point, here, level = last, 0.0, last.tangent.value / unit
     there = FIRST_STEP
+    free = replace(setting, scale=np.zeros_like(setting.scale))  # measured by the motion alone
     for _ in range(STEPS):
         if abs(level) < LEVEL:
             orbit = point.solved.orbit()
             return Special("fold", point.value, point.solved.value_error, orbit)
-        point = corrected(setting, last, there, tolerance)
+        point = corrected(free, last, there, tolerance)
         new = point.tangent.value / unit
         if new == level:
             break

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ import numpy as np
 from ..errors import OrbitError
 from ..floquet.points import Floats
 from .collocation import Setting, linearise
-from .curves import Curve, scale_of
+from .curves import REST, Curve, scale_of
 from .finding import TOLERANCE, Resolved, resolved
 from .records import PeriodicOrbit
 from .specials import Special, located, tests
@@ -39,6 +40,11 @@ COARSE = 1e-5
 
 SHORTEST = 1e-3
 """Shortest step, over the first one."""
+
+FAINT = 1e-3
+"""Size of a motion, over the largest on its path, below which steps are measured by that one: so
+that a forced motion passes through rest. An autonomous one has no phase there, and the path ends.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,7 +83,8 @@ class Path:
         Why it ends: ``"reached"`` the value asked for, ``"left"`` the range at its other end,
         ``"closed"`` upon itself, ``"interrupted"``, ``"points"`` are as many as were allowed,
         ``"long"``, because the period became as long as was allowed (as it does near a homoclinic
-        orbit), or ``"stuck"``, because no step is short enough or no mesh fine enough.
+        orbit), ``"rest"``, because the motion of an autonomous system shrinks to a point, which has
+        no period, or ``"stuck"``, because no step is short enough or no mesh fine enough.
     """
 
     parameter: str
@@ -116,6 +123,18 @@ class _Walk:
     tolerance: float
     points: list[Point]
     specials: list[Special]
+
+    @property
+    def faint(self) -> bool:
+        """Whether an autonomous motion has shrunk to a point, compared with what it was."""
+        own = scale_of(self.points[-1].solved.curve)
+        return self.setting.free and bool((own <= self.setting.scale).all())
+
+    def note(self, new: Point) -> None:
+        """Take a point; the setting's scale is the least that steps are measured by."""
+        self.points.append(new)
+        least = np.maximum(self.setting.scale, FAINT * extent_of(new))
+        self.setting = replace(self.setting, scale=least)
 
     def step(self, length: float) -> Point | None:
         """The next point, or None where the step is too long."""
@@ -168,9 +187,10 @@ def follow(
         Its last value; or the two ends of the range that the path may not leave, the one that it
         heads for at first being the first.
     step, largest : float
-        First and largest step, where the range and the size of the motion are 1.
+        First and largest step, where the range and the size of the motion are 1. The direction is
+        that of `until`.
     points : int
-        Orbits at most.
+        Orbits at most, the one to begin with among them; at least two.
     longest : float
         Period in s after which the path ends.
     tolerance : float
@@ -186,8 +206,10 @@ def follow(
     Raises
     ------
     OrbitError
-        If the parameter is unknown, or the orbit is no solution of the problem.
+        If the parameter is unknown, the orbit is no solution of the problem, or an option is not a
+        positive number.
     """
+    _checked(points, step=step, largest=largest, longest=longest, tolerance=tolerance)
     name = parameter if isinstance(parameter, str) else str(getattr(parameter, "name", parameter))
     problem.require(name)
     start = problem.values[name]
@@ -210,7 +232,7 @@ def follow(
                 end = high if new.value > high else low
                 new = _ending(walk, new, end)
                 reason = "reached" if end != start else "left"
-            walk.points.append(new)
+            walk.note(new)
             orbits.append(new.solved.orbit())
             told = progress(orbits[-1], new.value) if progress else None
             reason = reason if outside else _stop(walk, length, told, longest)
@@ -224,12 +246,37 @@ def follow(
     return Path(name, tuple(orbits), values, tuple(walk.specials), reason or "points")
 
 
+def _checked(points: Any, **positive: Any) -> None:
+    """Refuse options with which no step is made."""
+    for name, value in positive.items():
+        number = isinstance(value, Real) and not isinstance(value, bool)
+        # the period alone may be without limit
+        if not (number and value > 0 and (value < np.inf or name == "longest")):
+            raise OrbitError(
+                f"{name} must be a positive number, got {value!r}"
+                + ("; the direction is that of until" if name == "step" else "")
+            )
+    if not (isinstance(points, int | np.integer) and points >= 2):
+        raise OrbitError(
+            "points, the largest number of orbits with the first among them, must be a whole "
+            f"number, at least 2, got {points!r}"
+        )
+
+
+def extent_of(point: Point) -> Floats:
+    """The size of each state, zeros for rest."""
+    curve = point.solved.curve
+    return scale_of(curve) if np.abs(curve.states).max() > REST else np.zeros(curve.states.shape[2])
+
+
 def _stop(walk: _Walk, length: float, told: Any, longest: float) -> str:
     """Why the path ends here, empty where it goes on."""
     if told is False:
         return "interrupted"
     if 2 * np.pi / walk.points[-1].solved.curve.frequency > longest:
         return "long"
+    if walk.faint:
+        return "rest"
     return "closed" if _closed(walk, length) else ""
 
 
@@ -270,7 +317,9 @@ def _begun(
     curve = replace(fixed.curve, value=start)
     tangent = tangent_of(setting, curve)
     solved = replace(fixed, setting=replace(setting, tangent=tangent), curve=curve)
-    return _Walk(setting, *ends, tolerance, [Point(solved, tangent)], [])
+    walk = _Walk(replace(setting, scale=np.zeros_like(setting.scale)), *ends, tolerance, [], [])
+    walk.note(Point(solved, tangent))
+    return walk
 
 
 def tangent_of(setting: Setting, curve: Curve) -> Curve:
@@ -295,9 +344,12 @@ def cosine(setting: Setting, a: Curve, b: Curve) -> float:
 
 
 def corrected(setting: Setting, last: Point, length: float, tolerance: float) -> Point:
-    """The orbit at a distance along the tangent of the last one."""
+    """The orbit at a distance along the tangent of the last one.
+
+    Distances are measured by the motion, and no less than by the scale of the setting.
+    """
     base = last.solved.curve
-    scale = scale_of(base)
+    scale = np.maximum(scale_of(base), setting.scale)
     own = replace(setting, scale=scale)
     tangent = unit_of(own, last.tangent)
     half = max(8, base.intervals // 2)
