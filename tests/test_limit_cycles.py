@@ -28,6 +28,7 @@ from systems import (
 )
 
 import mmsgen as mg
+from mmsgen.limit_cycles import LimitCycles, keeps_volumes
 from mmsgen.runtime._flow import rates, spectrum
 from mmsgen.runtime._records import Bifurcation
 
@@ -155,3 +156,26 @@ def test_beats_of_oscillators_that_are_not_locked() -> None:
     assert np.abs(path.y[:, -1] - turned).max() < 1e-9
     with pytest.raises(mg.OrbitError, match="begin where they are not zero"):
         flow.limit_cycle(values, [0.0, 1.0])
+
+
+def test_conservative_flows_have_families() -> None:
+    undamped = oscillator(alpha * x**3 - k * sp.cos(Omega * t)).scale({alpha: 1, k: 1})
+    slow = undamped.expand(1, {Omega: omega}).slow_flow
+    with pytest.raises(mg.OrbitError, match="ones come in families"):
+        slow.limit_cycle({"omega": 1.0, "alpha": 1.0, "k": 0.1, "sigma": 0.3}, [0.3])
+    # two amplitudes, where only the numbers say so
+    assert keeps_volumes(flow(), {**VALUES, "mu": 0.0})
+    assert not keeps_volumes(flow(), VALUES)
+
+
+def test_cycles_show_what_they_are() -> None:
+    values = {"mu": 0.2, "kappa": 0.02, "omega_1": 1.0, "sigma": 0.3}
+    cycle = coupled().limit_cycle(values, [1.0, 0.8j])
+    (low, high), _ = cycle.modulus
+    text = repr(cycle)
+    assert f"period={cycle.period:.6g} s" in text and "stable" in text
+    assert f"{low:.6g} … {high:.6g}" in text
+    path = mg.orbits.follow(cycle.orbit.problem, cycle.orbit, "kappa", 0.021)
+    family = LimitCycles(path, cycle.form)
+    count = len(path.orbits)
+    assert repr(family) == f"LimitCycles({count} cycles, kappa=0.02 … 0.021, ends: reached)"

@@ -175,3 +175,13 @@ def test_time_response_with_envelope() -> None:
     assert axes.get_xlim() == (0.0, 10.0)
     flat = plotting.time_response(t, {"x": a}, {"limit cycle": 0.5}, axes=new_axes())
     assert np.nanmin(lines_of(flat)["limit cycle"].get_ydata()) == -0.5
+
+
+def test_time_response_names_what_does_not_fit() -> None:
+    t = np.linspace(0.0, 1.0, 5)
+    with pytest.raises(MmsgenError, match=r"'x' has the shape \(4,\), the times have \(5,\)"):
+        plotting.time_response(t, {"x": t[1:]}, axes=new_axes())
+    with pytest.raises(MmsgenError, match="envelope 'a' has the shape"):
+        plotting.time_response(t, {"x": t}, {"a": t[1:]}, axes=new_axes())
+    with pytest.raises(MmsgenError, match="times must be an array"):
+        plotting.time_response(1.0, {"x": t}, axes=new_axes())

@@ -49,7 +49,8 @@ class CycleAnswers:
         Raises
         ------
         OrbitError
-            If the motion comes to rest or does not repeat.
+            If the motion comes to rest or does not repeat, or the slow flow is conservative with
+            these numbers: its divergence is zero, and orbits come in families.
         MmsgenError
             As for `growth_rate`.
         """

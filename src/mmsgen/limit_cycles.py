@@ -127,7 +127,7 @@ def form_of(slow: SlowFlow) -> Form:
     return Form(rates, tuple(places), count, tuple(drifts), symmetries, tuple(reference))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LimitCycle:
     """A limit cycle of a slow flow.
 
@@ -142,6 +142,10 @@ class LimitCycle:
 
     orbit: orbits.PeriodicOrbit = field(repr=False)
     form: Form = field(repr=False)
+
+    def __repr__(self) -> str:
+        sizes = ", ".join(f"{low:.6g} … {high:.6g}" for low, high in self.modulus)
+        return f"LimitCycle(period={self.period:.6g} s, a_j={sizes}, {self.verdict})"
 
     @property
     def period(self) -> float:
@@ -189,7 +193,7 @@ class LimitCycle:
         return np.array(found)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LimitCycles:
     """A family of limit cycles along a parameter.
 
@@ -203,6 +207,11 @@ class LimitCycles:
 
     path: orbits.Path = field(repr=False)
     form: Form = field(repr=False)
+
+    def __repr__(self) -> str:
+        name, values = self.path.parameter, self.values
+        across = f"{name}={values[0]:.6g} … {values[-1]:.6g}"
+        return f"LimitCycles({len(values)} cycles, {across}, ends: {self.path.reason})"
 
     @property
     def values(self) -> Any:
@@ -223,12 +232,31 @@ def problem_of(slow: SlowFlow, form: Form, values: Mapping[str, Any]) -> orbits.
     return orbits.autonomous(form.rates, given, needed)
 
 
+def keeps_volumes(slow: SlowFlow, values: Mapping[str, float]) -> bool:
+    """Whether the divergence of the slow flow is zero at all amplitudes, so nothing attracts.
+
+    Source: Arnold, *Mathematical Methods of Classical Mechanics* (1989), § 16 (Liouville).
+    """
+    whole = slow.cartesian
+    divergence = sp.Add(*(rate.diff(state) for state, rate in whole.items()))
+    own = divergence.free_symbols - set(whole)
+    # exact numbers, so that a sum of them that is zero is 0
+    known = {s: sp.Rational(values[str(s.name)]) for s in own if str(s.name) in values}
+    return bool(sp.expand(divergence.subs(known)) == 0)
+
+
 def limit_cycle(
     slow: SlowFlow, values: Mapping[str, Any], start: Sequence[complex], time: float | None
 ) -> LimitCycle:
     """The limit cycle that a motion of the slow flow ends on, see `SlowFlow.limit_cycle`."""
     form = form_of(slow)
     problem, state = problem_of(slow, form, values), form.states(start)
+    if keeps_volumes(slow, problem.values):
+        raise OrbitError(
+            "with these numbers the slow flow is conservative, its divergence being zero: no "
+            "motion ends on a limit cycle, since periodic ones come in families, each with the "
+            "size that it began with; mg.orbits.find(…, isolated=False) finds one of them"
+        )
     if time is None:
         rates = np.linalg.eigvals(problem.rates(np.zeros(1), state[:, None])[1][0])
         time = TURNS * 2 * np.pi / float(np.abs(rates).max())

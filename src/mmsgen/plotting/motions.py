@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ..errors import MmsgenError
 from .style import COLOURS, DASHES, on_axes, with_legend
 
 if TYPE_CHECKING:
@@ -39,9 +40,20 @@ def time_response(
     xlabel, ylabel : str
     axes : matplotlib.axes.Axes, optional
         Where to draw; a new figure by default.
+
+    Raises
+    ------
+    MmsgenError
+        If a signal or an envelope has another shape than the times, naming it.
     """
-    axes = on_axes(axes, (7.0, 2.8))
     t = np.asarray(times, dtype=float)
+    if t.ndim != 1 or not t.size:
+        raise MmsgenError(f"the times must be an array of shape (m,), got {t.shape}")
+    for label, values in signals.items():
+        _same_length(f"signal {label!r}", values, t, ())
+    for label, values in (envelopes or {}).items():
+        _same_length(f"envelope {label!r}", values, t, ((), (1,)))
+    axes = on_axes(axes, (7.0, 2.8))
     for k, (label, values) in enumerate(signals.items()):
         colour, width = ("0.72", 2.4) if k == 0 else (COLOURS[(k - 1) % len(COLOURS)], 0.9)
         axes.plot(t, values, label=label, color=colour, lw=width)
@@ -55,3 +67,10 @@ def time_response(
     axes.set_xlim(float(t.min()), float(t.max()))
     # Above the axes, which a motion fills.
     return with_legend(axes, ncols=4, loc="lower right", bbox_to_anchor=(1.0, 1.0))
+
+
+def _same_length(name: str, values: Any, times: Any, others: tuple[tuple[int, ...], ...]) -> None:
+    """Refuse values that do not belong to the times."""
+    shape = np.shape(values)
+    if shape != times.shape and shape not in others:
+        raise MmsgenError(f"the {name} has the shape {shape}, the times have {times.shape}")
