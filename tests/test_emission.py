@@ -148,9 +148,7 @@ def test_publish_without_a_pipeline_writes_nothing(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert mg.publish(emission(), {"name": Figure()}) == (
-        "7 files for pendulum, 2 cases"
-    )
+    assert mg.publish(emission(), {"name": Figure()}) == ("7 files for pendulum, 2 cases")
     assert list(tmp_path.iterdir()) == []
 
 

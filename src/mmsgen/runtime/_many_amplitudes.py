@@ -16,6 +16,7 @@ import numpy as np
 from ._charts import chart, normal, polish
 from ._flow import Flow, spectrum
 from ._paths import newton, track
+from ._planes import on_planes
 from ._records import Equilibria
 from ._starts import generic_solutions
 from ._systems import System, equilibrium_system, patterns
@@ -32,6 +33,8 @@ BLOCK = 12_000
 EPS = 2.0**-52
 # What is left of the way of a path that ends in a singular point or at infinity.
 LOST = 1e-3
+# An unknown that is smaller, over its scale, may vanish at the end of its path.
+TINY = 1e-9
 
 
 def generic_counts(flow: Flow) -> dict[tuple[int, ...], int]:
@@ -118,11 +121,15 @@ def _with_active(
     system, place = equilibrium_system(flow, active), chart(flow, active)
     base, start = generic_solutions(system.terms, system.d, system.logs)
     found: list[tuple[Any, Any, Any]] = []
+    special: list[tuple[Any, Any, Any]] = []
     step = max(1, BLOCK // max(1, start.shape[1]))
     for k in range(0, len(finite) if start.shape[1] else 0, step):
         rows = finite[k : k + step]
         target, scales = scaled(system, flat[rows])
-        z, which, condition = _ends(system, base, start, target)
+        z, which, condition, lost, lost_which = _ends(system, base, start, target)
+        own = flat[rows[lost_which]]
+        for paths, b, turns in on_planes(system, own, scales[:, lost_which], lost):
+            special.append((rows[lost_which[paths]], b, turns))
         if not len(which):
             continue
         good, b, rate = _real(system, scales[:, which], z, condition)
@@ -131,13 +138,13 @@ def _with_active(
         b, turns = _in_chart(place, b, rate)
         b, turns = polish(place, own, b, turns)
         found.append((rows[which], b, turns))
-    if not found:
-        return finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))
-    rows, b, turns = (np.concatenate(x) for x in zip(*found, strict=True))
-    whole, drift = np.zeros((len(rows), flow.n), complex), np.zeros((len(rows), g))
-    whole[:, list(active)] = normal(place, b)
-    if place.drifts:
-        drift = turns @ np.array(place.mixing)
+    for rows, b, turns in found:
+        whole = np.zeros((len(rows), flow.n), complex)
+        whole[:, list(active)] = normal(place, b)
+        drift = turns @ np.array(place.mixing).reshape(turns.shape[1], g)
+        special.append((rows, whole, drift))
+    special.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
+    rows, whole, drift = (np.concatenate(x) for x in zip(*special, strict=True))
     return rows, whole, drift
 
 
@@ -194,8 +201,11 @@ def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np
 
 def _ends(
     system: System, base: NDArray[Any], start: NDArray[Any], target: NDArray[Any]
-) -> tuple[NDArray[Any], NDArray[np.int64], NDArray[np.float64]]:
-    """Solutions for each column of `target`, different ones, their columns and conditions."""
+) -> tuple[NDArray[Any], NDArray[np.int64], NDArray[np.float64], NDArray[Any], NDArray[np.int64]]:
+    """Solutions for each column of `target`, different ones, their columns and conditions.
+
+    Last the ends of paths that are lost near the end of their way, and the columns of these.
+    """
     terms, logs, count, k = system.terms, system.logs, start.shape[1], target.shape[1]
     end = np.repeat(target, count, axis=1)
     begin = np.broadcast_to(base, end.shape)
@@ -211,13 +221,16 @@ def _ends(
         paths = track(terms, begin[:, rows], end[:, rows], points, logs, tolerance)
         z[:, rows], left[rows] = paths.z, paths.left
     z[:, left > LOST] = np.nan
+    ends = z
     z, last, condition = newton(terms, end, z, logs, 8)
     z[:, ~((last < 1e-6) & np.isfinite(condition))] = np.nan
     # Two solutions that are δ apart have conditions of 1/δ and errors of EPS/δ: both rules agree
     # that they are one where δ is below 1e-7.
     close = np.clip(100.0 * EPS * condition, 1e-9, 1e-4)
     keep = np.flatnonzero(np.isfinite(z).all(axis=0) & ~_twice(z, count, close))
-    return z[:, keep], keep // count, condition[keep]
+    clear = (np.abs(z[:logs]) >= TINY).all(axis=0)  # false for NaN
+    lost = np.flatnonzero(np.isfinite(ends).all(axis=0) & ~clear)
+    return z[:, keep], keep // count, condition[keep], ends[:, lost], lost // count
 
 
 def _twice(z: NDArray[Any], count: int, distance: Any) -> NDArray[np.bool_]:
