@@ -238,6 +238,45 @@ def test_between_the_folds_of_a_cusp(distance: float) -> None:
         assert len(squares) == 1
 
 
+def test_circles_without_force_and_damping() -> None:
+    """The backbone a² = 8σω/3α; both are listed, neutral. With damping nothing but rest is left."""
+    damping, force = sp.symbols("mu k", real=True)
+    left = d(x, 2) + omega**2 * x + 2 * damping * d(x) + alpha * x**3 - force * sp.cos(Omega * t)
+    system = equations([left], [x]).scale({alpha: 1, damping: 1, force: 1})
+    flow = system.expand(1, {Omega: omega}).slow_flow
+    values = {"omega": 1.0, "alpha": 1.0, "k": 0.0, "sigma": 0.3}
+    found = flow.equilibria({**values, "mu": np.array([0.0, 0.1])})
+    # Some roundings of a polynomial with two terms.
+    assert row(found) == pytest.approx([0.0, np.sqrt(0.8)], rel=1e-14)
+    assert found.amplitudes[0, 1, 0].real > 0.0 and found.growth[0, 1] == 0.0
+    assert row(found, 1).tolist() == [0.0]
+    assert row(flow.equilibria({**values, "mu": 0.0, "sigma": -0.3})).tolist() == [0.0]
+    response = flow.frequency_response({**values, "mu": 0.0, "sigma": np.linspace(-0.2, 0.3, 6)})
+    assert [b.modulus.max() for b in response.branches] == [0.0]
+
+
+def test_circles_that_happen_to_be_at_rest() -> None:
+    """A van der Pol oscillator with a cubic spring and no force: a = 2 turns at 3αa²/8 − σ."""
+    flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+    sigma = np.array([0.0, 0.45, 0.46])
+    cubic = np.array([0.0, 0.3, 0.3])
+    c = np.stack((0 * sigma, 0.05 - 1j * sigma, -0.05 + 1.5j * cubic), axis=-1)
+    found = equilibria_of_one(flow, c)
+    assert found.number.tolist() == [2, 2, 1]
+    assert found.modulus[:2, 1, 0] == pytest.approx(2.0, rel=1e-14)
+    # d(ȧ)/da = −μ at a = 2, μ = 1/10; 1/20 at rest.
+    assert found.growth[:2] == pytest.approx(np.array([[0.05, -0.1]] * 2), rel=1e-13)
+    assert equilibria_of_one(flow, c, circles=False).number.tolist() == [1, 1, 1]
+
+
+def test_a_circle_of_different_stability_is_a_curve() -> None:
+    """dB/dt = B̄ (1 − |B|²): the disturbances' growth depends on the phase."""
+    flow = Flow(1, ((0, (0, 1, 0)), (0, (1, 2, 0))))
+    with pytest.raises(ValueError, match="not isolated"):
+        equilibria_of_one(flow, np.array([1.0, -1.0]))
+    assert equilibria_of_one(flow, np.array([[1.0, -1.0], [1.0, 1.0]])).number.tolist() == [0, 1]
+
+
 def test_everything_vanishes() -> None:
     flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
     with pytest.raises(ValueError, match="not isolated"):

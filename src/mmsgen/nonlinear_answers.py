@@ -48,7 +48,10 @@ class NonlinearAnswers:
         -------
         Equilibria
             ``amplitudes`` (complex, shape (..., k, n)), ``drift``, ``growth``, ``modulus`` and
-            ``stable``; NaN after the last equilibrium of a point.
+            ``stable``; NaN after the last equilibrium of a point. Circles of equilibria, of one
+            amplitude also those that are there at these numbers only, as without force and
+            damping, are listed by one point each, in increasing order of |B|; a point where
+            equilibria fill a curve for another reason, or all the plane, has none but NaN.
 
         Raises
         ------

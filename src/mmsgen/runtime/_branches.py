@@ -64,7 +64,8 @@ def response_of(
     -----
     All equilibria are computed at 48 values, twice as many where their number changes; for one
     amplitude at 2048. From there the branches are followed. A closed branch that lies between two
-    neighbouring ones of these values is not seen.
+    neighbouring ones of these values is not seen. Nor are circles followed that belong to a
+    symmetry which one amplitude has at single values only, as without its force.
     """
     given = np.asarray(values)
     if given.ndim != 1 or given.dtype.kind not in "iuf" or not np.isfinite(given).all():
@@ -115,7 +116,7 @@ def _sections(
     """Places among the values at which all equilibria are known, and these."""
     if flow.n == 1:
         looked = _spread(len(p), LOOKED_AT)
-        every = equilibria_of_one(flow, c[looked])
+        every = equilibria_of_one(flow, c[looked], circles=False)
         number = every.number
         chosen = _spread(len(looked), SECTIONS_OF_ONE)
         tops = []

@@ -168,7 +168,7 @@ def _entry(f: list[Polynomial], j: int, k: int) -> Polynomial:
 
 
 def relation(structure: Structure, c: NDArray[np.complex128]) -> Polynomial:
-    """The real polynomial in r that vanishes at equilibria."""
+    """A real polynomial in r that vanishes at equilibria."""
     f: list[Polynomial] = [{} for _ in range(structure.degree + 1)]
     for i, k, power in structure.terms:
         f[k][power] = f[k][power] + c[:, i] if power in f[k] else np.ascontiguousarray(c[:, i])
@@ -176,8 +176,10 @@ def relation(structure: Structure, c: NDArray[np.complex128]) -> Polynomial:
         return resultant(f)
     if structure.circle:
         return {e: x.real for e, x in f[0].items()}
-    # One harmonic alone: its modulus would have to vanish, and the phase were free.
-    return {0: np.abs(c).sum(axis=-1)}
+    # One harmonic alone: real and imaginary part have to vanish together. The first that is not
+    # zero throughout is looked at.
+    flat = np.all([x.real == 0.0 for x in f[0].values()], axis=0)
+    return {e: np.where(flat, x.imag, x.real) for e, x in f[0].items()}
 
 
 def harmonics(

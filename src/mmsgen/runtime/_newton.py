@@ -16,7 +16,7 @@ from ._elimination import Structure, harmonics
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Point", "Sums", "polished", "sums"]
+__all__ = ["RESIDUAL", "Point", "Sums", "left_of", "polished", "sums"]
 
 EPS = 2.0**-52
 
@@ -84,14 +84,14 @@ def polished(
         going = np.arange(len(r))[going][length > 1e-9]
         if not len(going):
             break
-    left = _left(sums(structure, own, r, np.exp(1j * angle)))
+    left = left_of(sums(structure, own, r, np.exp(1j * angle)))
     lost = np.flatnonzero(~(left <= RESIDUAL))
     if len(lost):
         # Where the Jacobian is nearly singular, at cusps above all, rounding throws Newton's method
         # out of an equilibrium: the candidate itself may be one.
         r[lost], angle[lost] = _valley(structure, own[lost], first[0][lost], first[1][lost])
         s = sums(structure, own[lost], r[lost], np.exp(1j * angle[lost]))
-        left[lost] = _left(s)
+        left[lost] = left_of(s)
     order = np.flatnonzero(left <= RESIDUAL)
     order = order[np.lexsort((r[order], row[order]))]
     order = order[_distinct(structure, own, row, r, angle, left, order)]
@@ -99,7 +99,7 @@ def polished(
     return Point(row[order], r[order], angle[order], s)
 
 
-def _left(s: Sums) -> NDArray[np.float64]:
+def left_of(s: Sums) -> NDArray[np.float64]:
     """What is left of the rates, relative to the sum of their terms' absolute values."""
     return np.asarray(np.abs(s.value) / s.size)
 
@@ -148,7 +148,9 @@ def _distinct(
         apart = np.flatnonzero(~same & (np.abs(turn) <= WIDEST))
         a, b = a[apart], b[apart]
         between = _valley(structure, c[a], np.sqrt(r[a] * r[b]), angle[a] + 0.5 * turn[apart])
-        same[apart] = _left(sums(structure, c[a], between[0], np.exp(1j * between[1]))) <= RESIDUAL
+        same[apart] = (
+            left_of(sums(structure, c[a], between[0], np.exp(1j * between[1]))) <= RESIDUAL
+        )
         place = place[same]
         former = left[order[place + shift]] < left[order[place]]
         kept[np.where(former, place, place + shift)] = False

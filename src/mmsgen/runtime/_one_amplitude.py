@@ -14,7 +14,7 @@ import numpy as np
 
 from ._elimination import Polynomial, Structure, harmonics, relation, structure_of
 from ._flow import Flow, wirtinger
-from ._newton import Point, polished, sums
+from ._newton import RESIDUAL, Point, Sums, left_of, polished, sums
 from ._records import Equilibria
 from ._roots import near_roots
 
@@ -45,7 +45,7 @@ class _Found(NamedTuple):
     growth: NDArray[np.float64]
 
 
-def equilibria_of_one(flow: Flow, coefficients: Any) -> Equilibria:
+def equilibria_of_one(flow: Flow, coefficients: Any, circles: bool = True) -> Equilibria:
     """All equilibria of a slow flow of one amplitude.
 
     Parameters
@@ -54,6 +54,8 @@ def equilibria_of_one(flow: Flow, coefficients: Any) -> Equilibria:
         With n = 1.
     coefficients : array_like
         Shape (..., terms).
+    circles : bool
+        Whether to list circles that belong to a symmetry which the flow has at single points only.
 
     Returns
     -------
@@ -62,6 +64,10 @@ def equilibria_of_one(flow: Flow, coefficients: Any) -> Equilibria:
         is one, and each of the m phases of a subharmonic. A double one, at a fold, is there once,
         with a growth rate that is zero to within the square root of the precision. All NaN where
         there is none, where a coefficient is not finite, and where the equilibria fill a curve.
+
+        Where all terms vanish that tell one phase from another, as without its force those of a
+        forced oscillator, the flow has a symmetry as well. A circle that is at rest, without a
+        drift, is then listed once, by its real and positive B; its growth is that of |B|.
 
     Raises
     ------
@@ -77,7 +83,7 @@ def equilibria_of_one(flow: Flow, coefficients: Any) -> Equilibria:
         for pattern, rows in _patterns(part, finite):
             structure = structure_of(flow, tuple(map(bool, pattern)))
             with np.errstate(all="ignore"):
-                found, infinite = _solved(flow, structure, part[rows])
+                found, infinite = _solved(flow, structure, part[rows], circles)
             filled += infinite
             parts.append(found._replace(row=rows[found.row] + start))
     if filled and filled == len(flat):
@@ -121,16 +127,24 @@ def _padded(parts: list[_Found], count: int, symmetries: int, lead: tuple[int, .
     )
 
 
-def _solved(flow: Flow, structure: Structure, c: NDArray[np.complex128]) -> tuple[_Found, int]:
+def _solved(
+    flow: Flow, structure: Structure, c: NDArray[np.complex128], circles: bool
+) -> tuple[_Found, int]:
     """The equilibria of some points, and at how many points they fill a curve."""
     eliminated = relation(structure, c)
     filled = ~np.any([x != 0.0 for x in eliminated.values()], axis=0) & np.ones(len(c), dtype=bool)
-    row, r = _moduli(eliminated, len(c), 0.0 if structure.circle else LOOSE)
+    row, r = _moduli(eliminated, len(c), LOOSE if structure.degree else 0.0)
     if structure.degree:
         row, r, w = _phases(structure, c, row, r)
         point = polished(structure, c, row, r, np.angle(w))
     else:
         point = Point(row, r, np.zeros_like(r), sums(structure, c[row], r, np.ones_like(r)))
+    if not (structure.degree or structure.circle):
+        point = _at_rest(point)
+        # With another harmonic than the first the stability is not the same all along the circle.
+        filled[point.row if structure.lowest else []] = True
+        if structure.lowest or not circles:
+            point = _some(point, np.zeros(0, dtype=np.int64))
     drift, growth = _stability(structure, point)
     row, b, drift, growth = _every_phase(structure, point, drift, growth)
     zero = np.flatnonzero(~filled & _zero_is_one(flow, c))
@@ -144,6 +158,17 @@ def _solved(flow: Flow, structure: Structure, c: NDArray[np.complex128]) -> tupl
     growth = np.concatenate((own, growth))
     order = np.argsort(row, kind="stable")
     return _Found(row[order], b[order], drift[order], growth[order]), int(filled.sum())
+
+
+def _some(point: Point, index: NDArray[np.int64]) -> Point:
+    row, r, angle, (value, radial, angular, size) = point
+    kept = Sums(value[index], radial[index], angular[index], size[index])
+    return Point(row[index], r[index], angle[index], kept)
+
+
+def _at_rest(point: Point) -> Point:
+    """The points, at different r, that do not drift: nothing but rounding is left of the rates."""
+    return _some(point, np.flatnonzero(left_of(point.sums) <= RESIDUAL))
 
 
 def _zero_is_one(flow: Flow, c: NDArray[np.complex128]) -> NDArray[np.bool_]:
@@ -227,7 +252,7 @@ def _stability(
     """Drift and growth rate: eigenvalues of the Jacobian of d(ln r)/dt and dγ/dt."""
     _, r, angle, s = point
     scale = r ** float(structure.common - 1)
-    if structure.circle:
+    if structure.circle or not structure.degree:
         return scale * s.value.imag, scale * s.radial.real
     factor = scale * np.exp((1j * structure.lowest / structure.fold) * angle)
     radial, angular = factor * s.radial, (structure.fold * factor) * s.angular
