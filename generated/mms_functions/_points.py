@@ -234,9 +234,7 @@ def _located(flow: Flow, curve: Curve, points: Points, a: int, b: int, which: in
     return best if np.isfinite(best.parameter).all() else None
 
 
-def _at_hopf(
-    flow: Flow, curve: Curve, place: Points, along: Points, size: float
-) -> _Mark | None:
+def _at_hopf(flow: Flow, curve: Curve, place: Points, along: Points, size: float) -> _Mark | None:
     """A Hopf point, unless the two eigenvalues are real and opposite."""
     c = curve.coefficients(place.parameter)
     values = spectrum(flow, c, place.amplitudes, place.drift if flow.symmetries else None)[0]
