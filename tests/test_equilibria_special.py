@@ -61,3 +61,16 @@ def test_antiresonance_beside_a_circle() -> None:
     assert found.amplitudes == pytest.approx(np.array([[0, -0.5, 0], [0, -0.5, 0.2]]), abs=1e-14)
     assert found.amplitudes[:, 0].tolist() == [0, 0]
     assert found.drift[1] == pytest.approx([0.3], abs=1e-14)
+
+
+def test_amplitudes_that_can_have_any_value() -> None:
+    """Without any term that moves B_2 alone, B_1 = 0 leaves B_2 as it is."""
+    flow, c = saturating(0.1, 0.0, 0.0, 0.02, 0.0)
+    for parameters in (0 * c, c):
+        with pytest.raises(ValueError, match="not isolated"):
+            equilibria_of_many(flow, parameters)
+    other = saturating(0.1, 0.0, 0.0)[1]
+    found = equilibria_of_many(flow, [c, other, 0 * c])
+    assert found.number.tolist() == [0, 1, 0]
+    assert found.amplitudes[1].tolist() == [[0, 0]]
+    assert np.isnan(found.amplitudes[[0, 2]]).all()

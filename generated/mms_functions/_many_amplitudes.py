@@ -68,22 +68,34 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
         Complete with probability one: every equilibrium that is isolated among the complex
         solutions, circles along symmetries counted as one point. Equilibria that fill curves or
         surfaces beyond that, as the normal modes of undamped free oscillators do, are left out.
-        Everything is NaN where a coefficient is not finite. `certified` tells which of them are
+        Everything is NaN where a coefficient is not finite, and where all terms vanish for some
+        amplitudes, so that these can have any value. `certified` tells which of them are
         proved to be equilibria, one each.
 
     Raises
     ------
     ValueError
-        If generic coefficients have more than 600 equilibria.
+        If generic coefficients have more than 600 equilibria; if at every point of the batch some
+        amplitudes can have any value.
     """
     c = np.asarray(coefficients, dtype=np.complex128)
     shape, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
     finite = np.flatnonzero(np.isfinite(flat).all(axis=-1))
-    found = []
+    found, loose = [], 0
     with np.errstate(all="ignore"):
         for rows, own, columns in _groups(flow, flat, finite):
-            for active in patterns(own):
+            usual = patterns(own)
+            if any(active and not chart(own, active).columns for active in usual):
+                loose += len(rows)
+                continue
+            for active in usual:
                 found.append(_with_active(own, active, flat[:, columns], rows))
+    if loose and loose == len(flat):
+        raise ValueError(
+            "the equilibria of this slow flow are not isolated: all terms that move some of the "
+            "amplitudes vanish, and these can have any value; detuning, damping or forcing is "
+            "missing"
+        )
     g = len(flow.symmetries)
     found.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
     rows, b, drift = (np.concatenate(x) for x in zip(*found, strict=True))

@@ -58,8 +58,14 @@ class NonlinearAnswers:
         ExpansionError
             If no frame makes the slow flow autonomous.
         MmsgenError
-            As for `growth_rate`; or if the equilibria are not isolated, as those of an undamped
-            free oscillator, for which `backbone` is the answer.
+            As for `growth_rate`; or if the equilibria of one amplitude fill a curve, as those of
+            an undamped free oscillator do, for which `backbone` is the answer; or if all terms of
+            some amplitudes vanish. At a few points of many NaN is the answer there.
+
+        Notes
+        -----
+        With two and more amplitudes isolated equilibria and isolated circles of them alone are
+        listed: families beside them, as the normal modes of undamped free oscillators, are not.
         """
         return equilibria(self.table, self._with_detunings(values))
 
