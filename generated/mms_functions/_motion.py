@@ -207,13 +207,18 @@ def _drifted(columns: Sequence[Any], times: Any, drift: ArrayLike, slow: Slow | 
 # --- validity -------------------------------------------------------------------------------------
 
 
+def _largest(sizes: Any) -> float:
+    """The largest of sizes, those that are NaN left out; zero where nothing is left."""
+    return float(np.fmax.reduce(np.ravel(sizes), initial=0.0))
+
+
 def _small(sizes: Any, slowness: float) -> float:
     """What is small, from what it makes: the largest k-th root of order k over order zero."""
     whole = sizes.max(axis=-1, initial=0.0)
     found = [slowness]
     for k, size in enumerate(whole[1:], 1):
         ratio = size / np.where(whole[0] > 0.0, whole[0], np.inf)
-        found.append(float(np.nanmax(ratio, initial=0.0)) ** (1 / k))
+        found.append(_largest(ratio) ** (1 / k))
     return max(found)
 
 
@@ -239,7 +244,7 @@ def _slowness(
             continue
         fast = np.abs(table[..., len(motion.terms) + j].real)
         own = np.abs(c[..., m]) * np.abs(_product(sizes, exponents)) / (fast * whole)
-        worst = max(worst, float(np.nanmax(np.where(whole > 0.0, own, 0.0), initial=0.0)))
+        worst = max(worst, _largest(np.where(whole > 0.0, own, 0.0)))
     return worst
 
 

@@ -291,3 +291,9 @@ def test_a_warning_points_to_the_caller() -> None:
     with pytest.warns(UserWarning) as caught:
         functions("free1").response(0.0, [9.0], alpha=1.0, omega=1.0)
     assert caught[0].filename == __file__
+
+
+def test_a_missing_amplitude_alone_is_missing_in_silence() -> None:
+    # warnings are errors here: NaN in, NaN out, and nothing to be said about sizes
+    found = functions("free1").response(0.0, [np.nan], alpha=1.0, omega=1.0)
+    assert np.isnan(found).all()
