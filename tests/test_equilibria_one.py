@@ -277,6 +277,45 @@ def test_a_circle_of_different_stability_is_a_curve() -> None:
     assert equilibria_of_one(flow, np.array([[1.0, -1.0], [1.0, 1.0]])).number.tolist() == [0, 1]
 
 
+@pytest.mark.parametrize("name", sorted(SHAPES))
+@pytest.mark.parametrize(("size", "rate"), [(-90, 0), (90, 0), (0, -300), (0, 300), (40, 260)])
+def test_units_do_not_matter(name: str, size: int, rate: int) -> None:
+    """B = 2^size β and t = 2^-rate τ take c to c 2^{rate + size(1 − power)}, exactly.
+
+    Newton's method leaves roundings in ln r and the phase, and eigenvalues some of the largest.
+    """
+    flow, random = shaped(name), np.random.default_rng(7)
+    c = random.normal(size=(6, len(flow.terms))) + 1j * random.normal(size=(6, len(flow.terms)))
+    plain = equilibria_of_one(flow, c)
+    powers = np.array([sum(e) for _, e in flow.terms])
+    other = equilibria_of_one(flow, c * 2.0 ** (rate + size * (1 - powers)))
+    assert other.number.tolist() == plain.number.tolist()
+    b = other.amplitudes * 2.0**-size
+    assert b == pytest.approx(plain.amplitudes, rel=1e-11, nan_ok=True)
+    assert other.growth * 2.0**-rate == pytest.approx(plain.growth, rel=1e-9, nan_ok=True)
+
+
+def test_tiny_and_huge_parameters() -> None:
+    """Duffing's equation, a = k/2ω|iμ − σ| for a tiny force, (4k/3α)^{1/3} for a huge one."""
+    flow = forced(1, {Omega: omega}, weak=True)
+    values = {"omega": 1.0, "alpha": 1.0, "mu": 0.05, "sigma": 0.3, "k": np.array([1e-80, 1e100])}
+    found = flow.equilibria(values)
+    # The roundings of both formulas; what they leave out is far smaller.
+    sizes = [1e-80 / (2 * np.hypot(0.05, 0.3)), (4e100 / 3) ** (1 / 3)]
+    assert found.modulus[:, 0, 0] == pytest.approx(sizes, rel=1e-14, abs=0.0)
+    assert found.growth[0, 0] == pytest.approx(-0.05, rel=1e-13)
+    assert row(flow.equilibria({**values, "alpha": 1e-80, "k": 0.1})) == pytest.approx(
+        0.1 / (2 * np.hypot(0.05, 0.3)), rel=1e-14
+    )
+    with pytest.raises(MmsgenError, match="orders of magnitude"):
+        flow.equilibria({**values, "k": 1e-300})
+    several = flow.equilibria({**values, "k": np.array([1e-300, 0.1])})
+    assert several.number[0] == 0 < several.number[1]
+    # A term that is tiny beside one of the same power does no harm: rest is unstable without it.
+    mathieu = Flow(1, ((0, (0, 1, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+    assert equilibria_of_one(mathieu, np.array([1e-300, 0.1 - 0.2j, 1.5j])).number == 1
+
+
 def test_everything_vanishes() -> None:
     flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
     with pytest.raises(ValueError, match="not isolated"):

@@ -33,6 +33,10 @@ BLOCK = 2048
 # Extrema of the resultant that are relatively this small may be roots that its rounding hides.
 LOOSE = 1e-8
 
+# Binary exponents of coefficients, up to which nothing that is computed here leaves the range of
+# the numbers: the resultant of two harmonics is made of their fourth powers.
+ORDINARY = 64
+
 # --- equilibria -----------------------------------------------------------------------------------
 
 
@@ -72,18 +76,22 @@ def equilibria_of_one(flow: Flow, coefficients: Any, circles: bool = True) -> Eq
     Raises
     ------
     ValueError
-        If they fill a curve at every point of the batch.
+        If they fill a curve at every point of the batch; if at every point the coefficients differ
+        by more orders of magnitude than numbers have (points of that kind among others are NaN).
     """
     c = np.asarray(coefficients, dtype=np.complex128)
     lead, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
-    parts, filled = [], 0
+    parts, filled, lost = [], 0, 0
     for start in range(0, len(flat), BLOCK):
         part = flat[start : start + BLOCK]
         finite = np.flatnonzero(np.isfinite(part).all(axis=-1))
-        for pattern, rows in _patterns(part, finite):
+        for pattern, alike in _patterns(part, finite):
             structure = structure_of(flow, tuple(map(bool, pattern)))
             with np.errstate(all="ignore"):
-                found, infinite = _solved(flow, structure, part[rows], circles)
+                scaled, units, usable = _in_range(structure, part[alike])
+                rows, lost = alike[usable], lost + len(alike) - len(usable)
+                found, infinite = _solved(flow, structure, scaled[usable], circles)
+                found = _in_units(found, *(x[usable] for x in units))
             filled += infinite
             parts.append(found._replace(row=rows[found.row] + start))
     if filled and filled == len(flat):
@@ -91,6 +99,11 @@ def equilibria_of_one(flow: Flow, coefficients: Any, circles: bool = True) -> Eq
             "the equilibria of this slow flow are not isolated: they fill a curve, as all "
             "amplitudes of an undamped free oscillator do; damping or forcing is missing, or the "
             "backbone curve is what is looked for"
+        )
+    if lost and lost == len(flat):
+        raise ValueError(
+            "the terms of this slow flow differ by so many orders of magnitude that their squares "
+            "are not in the range of the numbers: take other units, or leave the small ones out"
         )
     return _padded(parts, len(flat), len(flow.symmetries), lead)
 
@@ -104,6 +117,51 @@ def _patterns(
         same = (present == present[0]).all(axis=-1)
         yield present[0], rows[same]
         rows = rows[~same]
+
+
+def _in_range(structure: Structure, c: NDArray[np.complex128]) -> tuple[Any, ...]:
+    """Coefficients for β = B/2^b and the time 2^t, where theirs would leave the numbers' range.
+
+    Returns
+    -------
+    scaled : numpy.ndarray
+        Those that are near one, as they usually are, are left alone.
+    units : tuple of numpy.ndarray
+        b and −t of each point; empty if all are left alone.
+    usable : numpy.ndarray
+        Points at which no power becomes so small that its part in the resultant vanishes.
+    """
+    every = np.arange(len(c))
+    terms = [i for i, _, _ in structure.terms]
+    powers = np.array([p for _, _, p in structure.terms], dtype=np.int64)
+    exponents = np.frexp(np.maximum(np.abs(c[:, terms].real), np.abs(c[:, terms].imag)))[1]
+    wide = (np.abs(exponents) > ORDINARY).any(axis=-1)
+    if not wide.any():
+        return c, (), every
+    exponents = exponents.astype(np.int64)
+    # The lowest and the highest power become alike, the largest coefficient one.
+    low, high = powers == powers.min(), powers == powers.max()
+    fall = exponents[:, low].max(axis=-1) - exponents[:, high].max(axis=-1)
+    size = np.where(wide, np.round(fall / max(int(np.ptp(powers)), 1)), 0).astype(np.int64)
+    own = exponents + size[:, None] * powers
+    rate = np.where(wide, own.max(axis=-1), 0)
+    smallest = -1000 // max(2 * structure.degree, 1)
+    # A term may vanish beside a far larger one of the same power.
+    largest = np.stack([own[:, powers == p].max(axis=-1) for p in np.unique(powers)])
+    usable = every[~wide | (largest.min(axis=0) - rate > smallest)]
+    shift = np.maximum(size[:, None] * powers - rate[:, None], -4000).astype(np.int32)
+    scaled = c.copy()
+    scaled[:, terms] = np.ldexp(c[:, terms].real, shift) + 1j * np.ldexp(c[:, terms].imag, shift)
+    return scaled, (size, rate + size * (structure.common - 1)), usable
+
+
+def _in_units(found: _Found, *units: NDArray[np.int64]) -> _Found:
+    """Amplitudes and rates in their own units again."""
+    if not units:
+        return found
+    size, rate = (x[found.row].astype(np.int32) for x in units)
+    b = np.ldexp(found.amplitude.real, size) + 1j * np.ldexp(found.amplitude.imag, size)
+    return _Found(found.row, b, np.ldexp(found.drift, rate), np.ldexp(found.growth, rate))
 
 
 def _padded(parts: list[_Found], count: int, symmetries: int, lead: tuple[int, ...]) -> Equilibria:
