@@ -74,3 +74,27 @@ def test_amplitudes_that_can_have_any_value() -> None:
     assert found.number.tolist() == [0, 1, 0]
     assert found.amplitudes[1].tolist() == [[0, 0]]
     assert np.isnan(found.amplitudes[[0, 2]]).all()
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-14, 1e-12, 1e-9])
+def test_cusps(off: float) -> None:
+    """(−c/2 − iσ + iγx)B + F = 0, x = |B|²: at σ = √3c/2, γx = 2σ/3 the three roots are one.
+
+    With ξ = γx, ξ((c/2)² + (σ − ξ)²) = γ|F|² is (ξ − ξ_0)³ = 2·off·ξ_0((c/2)² + (σ − ξ_0)²)
+    = 2·off·ξ_0³ there; so |B| = B_0(1 + (2·off)^⅓/2) to within (2·off)^⅔. Rounding moves a triple
+    root by (some 2⁻⁵³)^⅓ = 1e-5.
+    """
+    numbers = np.random.default_rng(1)
+    flow = table([*DAMPED, (0, 2, 1, 0, 0), (1, 0, 0, 2, 1), FORCE_1])
+    c, gamma, phase = (numbers.uniform(*x, 40) for x in ((0.01, 1), (0.1, 3), (0, 6)))
+    sigma = np.sqrt(0.75) * c
+    x = 2 * sigma / 3 / gamma
+    force = np.sqrt(x * (c**2 / 4 + (sigma - gamma * x) ** 2)) * (1 + off) * np.exp(1j * phase)
+    one = np.ones(40)
+    parameters = np.stack([-c / 2 - 1j * sigma, -0.3 * one, 1j * gamma, 1j * one, force], -1)
+    found = equilibria_of_many(flow, parameters)
+    assert found.number.tolist() == [1] * 40
+    expected = np.sqrt(x) * (1 + (2 * off) ** (1 / 3) / 2)
+    error = 2e-5 + (2 * off) ** (2 / 3)
+    assert np.abs(found.amplitudes[:, 0, 0]) == pytest.approx(expected, rel=error)
+    assert (found.amplitudes[:, 0, 1] == 0.0).all()

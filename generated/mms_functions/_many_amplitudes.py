@@ -35,6 +35,9 @@ EPS = 2.0**-52
 LOST = 1e-3
 # An unknown that is smaller, over its scale, may vanish at the end of its path.
 TINY = 1e-9
+# Steps to a multiple equilibrium: from 1e-3, where paths to a triple one are lost, (2/3)^32 of that
+# is below the errors of 1e-5 there.
+SLOW = 32
 
 
 def generic_counts(flow: Flow) -> dict[tuple[int, ...], int]:
@@ -138,14 +141,23 @@ def _with_active(
     for k in range(0, len(finite) if start.shape[1] else 0, step):
         rows = finite[k : k + step]
         target, scales = scaled(system, flat[rows])
-        z, which, condition, lost, lost_which = _ends(system, base, start, target)
-        own = flat[rows[lost_which]]
-        for paths, b, turns in on_planes(system, own, scales[:, lost_which], lost):
-            special.append((rows[lost_which[paths]], b, turns))
-        if not len(which):
+        z, condition, lost = _ends(system, base, start, target)
+        count = start.shape[1]
+        which = np.flatnonzero(np.isfinite(lost).all(axis=0)) // count
+        ends = lost[:, np.isfinite(lost).all(axis=0)]
+        for paths, b, turns in on_planes(system, flat[rows[which]], scales[:, which], ends):
+            special.append((rows[which[paths]], b, turns))
+        good, b, rate = _real(system, np.repeat(scales, count, axis=1), z, condition)
+        # Two solutions that are δ apart have conditions of 1/δ and errors of EPS/δ: both rules
+        # agree that they are one where δ is below 1e-7. Of three that are δ apart, a real one and
+        # a complex pair, the real one has to stay.
+        z[:, ~good] = np.nan
+        keep = np.flatnonzero(
+            good & ~_twice(z, count, np.clip(100.0 * EPS * condition, 1e-9, 1e-4))
+        )
+        if not len(keep):
             continue
-        good, b, rate = _real(system, scales[:, which], z, condition)
-        b, rate, which = b[good], rate[good], which[good]
+        b, rate, which = b[keep], rate[keep], keep // count
         own = flat[rows[which]][:, list(place.columns)]
         b, turns = _in_chart(place, b, rate)
         b, turns = polish(place, own, b, turns)
@@ -213,10 +225,10 @@ def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np
 
 def _ends(
     system: System, base: NDArray[Any], start: NDArray[Any], target: NDArray[Any]
-) -> tuple[NDArray[Any], NDArray[np.int64], NDArray[np.float64], NDArray[Any], NDArray[np.int64]]:
-    """Solutions for each column of `target`, different ones, their columns and conditions.
+) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[Any]]:
+    """Solutions at the ends of all paths, their conditions, and where other paths were lost.
 
-    Last the ends of paths that are lost near the end of their way, and the columns of these.
+    NaN where there is none; of what is lost, those on which an unknown may vanish count.
     """
     terms, logs, count, k = system.terms, system.logs, start.shape[1], target.shape[1]
     end = np.repeat(target, count, axis=1)
@@ -235,14 +247,13 @@ def _ends(
     z[:, left > LOST] = np.nan
     ends = z
     z, last, condition = newton(terms, end, z, logs, 8)
-    z[:, ~((last < 1e-6) & np.isfinite(condition))] = np.nan
-    # Two solutions that are δ apart have conditions of 1/δ and errors of EPS/δ: both rules agree
-    # that they are one where δ is below 1e-7.
-    close = np.clip(100.0 * EPS * condition, 1e-9, 1e-4)
-    keep = np.flatnonzero(np.isfinite(z).all(axis=0) & ~_twice(z, count, close))
-    clear = (np.abs(z[:logs]) >= TINY).all(axis=0)  # false for NaN
-    lost = np.flatnonzero(np.isfinite(ends).all(axis=0) & ~clear)
-    return z[:, keep], keep // count, condition[keep], ends[:, lost], lost // count
+    # To a point of multiplicity m each step takes 1/m of the way.
+    slow = np.flatnonzero((last >= 1e-6) & (last < 1e-2))
+    z[:, slow], last[slow], condition[slow] = newton(terms, end[:, slow], z[:, slow], logs, SLOW)
+    settled = last < np.clip(10.0 * EPS * condition, 1e-6, 1e-4)
+    z[:, ~(settled & np.isfinite(condition))] = np.nan
+    lost = np.where((np.abs(z[:logs]) >= TINY).all(axis=0), np.nan, ends)  # ends for NaN
+    return z, condition, lost
 
 
 def _twice(z: NDArray[Any], count: int, distance: Any) -> NDArray[np.bool_]:
