@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._charts import chart, normal, polish
+from ._charts import chart, equations, normal, pack, polish, unpack
 from ._flow import Flow, spectrum
-from ._paths import newton, track
-from ._planes import on_planes
+from ._paths import newton, solve, track
+from ._planes import on_planes, solves
 from ._records import Equilibria
 from ._starts import generic_solutions
 from ._systems import System, equilibrium_system, patterns
@@ -38,6 +38,9 @@ TINY = 1e-9
 # Steps to a multiple equilibrium: from 1e-3, where paths to a triple one are lost, (2/3)^32 of that
 # is below the errors of 1e-5 there.
 SLOW = 32
+# Two paths to a triple equilibrium that is none quite can end in the same one of the complex pair
+# that is this close to a real one. Newton's method in the reals leads to that.
+BESIDE = 1e-3
 
 
 def generic_counts(flow: Flow) -> dict[tuple[int, ...], int]:
@@ -151,17 +154,29 @@ def _with_active(
         # Two solutions that are δ apart have conditions of 1/δ and errors of EPS/δ: both rules
         # agree that they are one where δ is below 1e-7. Of three that are δ apart, a real one and
         # a complex pair, the real one has to stay.
-        z[:, ~good] = np.nan
-        keep = np.flatnonzero(
-            good & ~_twice(z, count, np.clip(100.0 * EPS * condition, 1e-9, 1e-4))
+        close = np.clip(100.0 * EPS * condition, 1e-9, 1e-4)
+        keep = np.flatnonzero(good & ~_twice(np.where(good, z, np.nan), count, close))
+        near = np.flatnonzero(
+            _real(system, np.repeat(scales, count, axis=1), z, condition, BESIDE)[0]
+            & ~good
+            & (close > 1e-8)
         )
-        if not len(keep):
-            continue
-        b, rate, which = b[keep], rate[keep], keep // count
-        own = flat[rows[which]][:, list(place.columns)]
-        b, turns = _in_chart(place, b, rate)
-        b, turns = polish(place, own, b, turns)
-        found.append((rows[which], b, turns))
+        for chosen, steps in ((keep, 0), (near, SLOW)):
+            if not len(chosen):
+                continue
+            which = rows[chosen // count]
+            own = flat[which][:, list(place.columns)]
+            now, turns = _in_chart(place, b[chosen], rate[chosen])
+            for _ in range(steps):
+                # Without regard to residuals, which grow at first near a triple equilibrium.
+                f, matrices = equations(place, own, now, turns)
+                x = pack(place, now, turns) - solve(matrices, f[..., None])[..., 0]
+                now, turns = unpack(place, x)
+            now, turns = polish(place, own, now, turns)
+            if steps == SLOW:
+                fresh = solves(place.flow, own, now, turns) & _fresh(found, which, now)
+                which, now, turns = which[fresh], now[fresh], turns[fresh]
+            found.append((which, now, turns))
     for rows, b, turns in found:
         whole = np.zeros((len(rows), flow.n), complex)
         whole[:, list(active)] = normal(place, b)
@@ -268,8 +283,25 @@ def _twice(z: NDArray[Any], count: int, distance: Any) -> NDArray[np.bool_]:
     return (same & np.tri(count, k=-1, dtype=bool)).any(axis=-1).ravel()
 
 
+def _fresh(found: list[Any], rows: NDArray[Any], b: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which points are neither among those found nor there before."""
+    fresh: NDArray[np.bool_] = np.ones(len(rows), dtype=bool)
+    for k, (row, point) in enumerate(zip(rows, b, strict=True)):
+        for others, points in (
+            (x[0], x[1]) for x in (*found, (rows[:k][fresh[:k]], b[:k][fresh[:k]]))
+        ):
+            same = points[others == row]
+            gap = np.abs(same - point) < 1e-4 * (np.abs(same) + np.abs(point))
+            fresh[k] &= not gap.all(axis=-1).any()
+    return fresh
+
+
 def _real(
-    system: System, scales: NDArray[np.float64], z: NDArray[Any], condition: NDArray[np.float64]
+    system: System,
+    scales: NDArray[np.float64],
+    z: NDArray[Any],
+    condition: NDArray[np.float64],
+    least: float = 1e-10,
 ) -> tuple[NDArray[np.bool_], NDArray[np.complex128], NDArray[np.float64]]:
     """Which solutions have B̄ = conj(B), and the amplitudes and rates of drift."""
     p, inner = len(system.active), system.d - len(system.drifts)
@@ -286,7 +318,7 @@ def _real(
         stretch = np.exp(turns.T @ np.linalg.solve(turns[:, at].T, ratio))
         plain, barred = plain * stretch, barred / stretch
     rate = z[inner:]
-    error = np.clip(1e3 * EPS * condition, 1e-10, 1e-5)
+    error = np.maximum(np.clip(1e3 * EPS * condition, 1e-10, 1e-5), least)
     with np.errstate(all="ignore"):
         gap = np.abs(barred - plain.conj()) / (np.abs(barred) + np.abs(plain))
         good = (gap < error).all(axis=0)

@@ -18,7 +18,7 @@ from ._systems import System, patterns
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["on_planes"]
+__all__ = ["on_planes", "solves"]
 
 EPS = 2.0**-52
 # An amplitude that its path has brought below this, over its scale, may vanish.
@@ -67,8 +67,8 @@ def on_planes(
         whole, drift = whole + step, drift + turn
     # Zero where the rates do not tell it from zero.
     rest = np.where(np.abs(whole) < 1e-10 * size, 0.0, whole)
-    rest = np.where(_solves(flow, c, rest, drift)[:, None], rest, whole)
-    good = _solves(flow, c, rest, drift) & (least > SINGULAR)
+    rest = np.where(solves(flow, c, rest, drift)[:, None], rest, whole)
+    good = solves(flow, c, rest, drift) & (least > SINGULAR)
     usual = patterns(flow)
     found = []
     for moves in np.unique(rest[good] != 0.0, axis=0):
@@ -122,7 +122,8 @@ def _residual(
     return rates(flow, c, b) - 1j * (drift @ turns) * b, sizes
 
 
-def _solves(flow: Flow, c: NDArray[Any], b: NDArray[Any], drift: NDArray[Any]) -> NDArray[np.bool_]:
+def solves(flow: Flow, c: NDArray[Any], b: NDArray[Any], drift: NDArray[Any]) -> NDArray[np.bool_]:
+    """Where the rates, in the frame that drifts, vanish but for rounding."""
     values, sizes = _residual(flow, c, b, drift)
     return np.asarray((np.abs(values) <= RESIDUAL * sizes).all(axis=-1))
 
