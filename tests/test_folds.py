@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 import pytest
 from flow_tables import table
 
 from mmsgen.runtime._branches import response_of
-from mmsgen.runtime._flow import Flow, rates
+from mmsgen.runtime._flow import Flow, rates, spectrum
 from mmsgen.runtime._points import NEUTRAL
 from mmsgen.runtime._records import Response
 
@@ -49,6 +52,30 @@ def test_both_folds_of_a_driven_oscillator(count: int) -> None:
         assert slope == pytest.approx(0.0, abs=1e-7 * mu**2 * 3)
 
 
+MU, ONE, TWO, FORCE = 0.01, 0.05j, 0.01875j, -0.005j
+
+
+def between_pitchforks() -> tuple[Flow, Callable[[Any], Any]]:
+    """1:2 driven at the higher frequency, and its coefficients over the detuning."""
+    flow = table(
+        [(0, 1, 0, 0, 0), (1, 0, 0, 1, 0), (0, 0, 1, 1, 0), (1, 2, 0, 0, 0), (1,) + (0,) * 4]
+    )
+
+    def coefficients(sigma):
+        unit = np.ones(len(sigma))
+        slow, fast = -MU - 0.5j * sigma, -MU - 1j * sigma
+        by_term = {
+            (0, (1, 0, 0, 0, 0, 0)): slow,
+            (1, (0, 0, 0, 1, 0, 0)): fast,
+            (0, (0, 1, 0, 1, 0, 0)): ONE * unit,
+            (1, (2, 0, 0, 0, 0, 0)): TWO * unit,
+            (1, (0,) * 6): FORCE * unit,
+        }
+        return np.stack([by_term[term] for term in flow.terms], axis=-1)
+
+    return flow, coefficients
+
+
 def test_a_fold_between_pitchforks() -> None:
     """1:2 driven at the higher frequency, c_1 and c_2 the couplings and g = |c_1| times the force.
 
@@ -56,28 +83,12 @@ def test_a_fold_between_pitchforks() -> None:
     leaves |(μ + iσ)(μ + iσ/2) − c_1 c_2 |B_1|²| = g: quadratic in |B_1|², and double where the
     imaginary part is g, 3μ|σ|/2 = g.
     """
-    flow = table(
-        [(0, 1, 0, 0, 0), (1, 0, 0, 1, 0), (0, 0, 1, 1, 0), (1, 2, 0, 0, 0), (1,) + (0,) * 4]
-    )
-    mu, one, two, force = 0.01, 0.05j, 0.01875j, -0.005j
-
-    def coefficients(sigma):
-        unit = np.ones(len(sigma))
-        slow, fast = -mu - 0.5j * sigma, -mu - 1j * sigma
-        by_term = {
-            (0, (1, 0, 0, 0, 0, 0)): slow,
-            (1, (0, 0, 0, 1, 0, 0)): fast,
-            (0, (0, 1, 0, 1, 0, 0)): one * unit,
-            (1, (2, 0, 0, 0, 0, 0)): two * unit,
-            (1, (0,) * 6): force * unit,
-        }
-        return np.stack([by_term[term] for term in flow.terms], axis=-1)
-
+    flow, coefficients = between_pitchforks()
     response = response_of(flow, coefficients, np.linspace(-0.05, 0.05, 2500))
     along_both_sides(response, flow, coefficients)
     kinds = [b.kind for b in response.bifurcations]
     assert kinds == ["saddle-node", "pitchfork", "pitchfork", "saddle-node"]
-    edge = abs(one * force) / (1.5 * mu)
+    edge = abs(ONE * FORCE) / (1.5 * MU)
     ends = [response.bifurcations[k].parameter for k in (0, 3)]
     assert ends == pytest.approx([-edge, edge], rel=1e-12)
 
@@ -96,3 +107,117 @@ def test_a_circle_is_born_whatever_its_drift(turn: float) -> None:
         assert hopf.kind == "Hopf"
         # Re λ has the slope −0.14, is zero below NEUTRAL of |λ|, and has a rounding of 1e-17.
         assert hopf.parameter == pytest.approx(2**0.5, abs=1e-14 + NEUTRAL * turn / 0.14)
+
+
+def driven(s):
+    """B' = −(0.05 + iσ)B + 0.375iB²B̄·4 − 0.025i."""
+    one = np.ones(len(s))
+    return np.stack([-0.025j * one, -0.025 - 1j * s, 1.5j * one], axis=-1)
+
+
+DRIVEN = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+
+
+def same_answer(flow: Flow, coefficients, p, width: float) -> Response:
+    """Bifurcations put among the given values leave kinds, their places, and the branches alike."""
+    before = response_of(flow, coefficients, p)
+    own = [b.parameter for b in before.bifurcations]
+    for more in (own, [x * (1 + 1e-15) for x in own], [x - 1e-13 * width for x in own]):
+        after = response_of(flow, coefficients, np.union1d(p, more))
+        assert [b.kind for b in after.bifurcations] == [b.kind for b in before.bifurcations]
+        # Both are extrema along the curve to rounding, and products of eigenvalues below 1e-11.
+        again = [b.parameter for b in after.bifurcations]
+        assert again == pytest.approx(own, abs=1e-10 * width)
+        assert len(after.branches) == len(before.branches)
+        for branch in after.branches:
+            left = rates(flow, coefficients(branch.parameter), branch.amplitudes)
+            assert np.abs(left).max() < 1e-13 * np.abs(coefficients(branch.parameter)).max() * 10
+    return before
+
+
+def test_a_fold_at_a_given_value() -> None:
+    fold = 0.18239577211812104
+    response = response_of(DRIVEN, driven, [-0.3, 0.1, fold, 0.2, 0.6])
+    assert [b.kind for b in response.bifurcations] == ["saddle-node"]
+    assert response.bifurcations[0].parameter == pytest.approx(fold, abs=1e-14)
+    assert len(response.branches) == 2
+    for count, value in ((1, 0.1), (3, 0.2)):
+        assert sum(np.sum(b.parameter == value) for b in response.branches) == count
+
+
+@pytest.mark.parametrize("at_end", [0, -1])
+def test_a_fold_at_the_first_or_the_last_value(at_end: int) -> None:
+    """It is one then as well, and the sheets meet there."""
+    p = np.linspace(-0.3, 1.9, 60)
+    folds = [b.parameter for b in response_of(DRIVEN, driven, p).bifurcations]
+    p = np.append(p[p < folds[-1]], folds[-1]) if at_end else np.append(p[p > folds[0]], folds[0])
+    response = response_of(DRIVEN, driven, p)
+    assert [b.parameter for b in response.bifurcations] == pytest.approx(folds, abs=1e-14)
+    (branch,) = response.branches
+    assert p.min() <= branch.parameter.min() < branch.parameter.max() <= p.max()
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_folds_among_the_values(seed: int) -> None:
+    numbers = np.random.default_rng(seed)
+    force, damping, cubic = numbers.uniform(0.04, 0.08), numbers.uniform(0.02, 0.04), 1.5
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        return np.stack([-1j * force * one, -damping - 1j * s, 1j * cubic * one], axis=-1)
+
+    peak = cubic * (force / damping) ** 2
+    p = np.linspace(-0.2 * peak, 1.2 * peak, int(numbers.integers(20, 400)))
+    response = same_answer(DRIVEN, coefficients, p, 1.4 * peak)
+    assert [b.kind for b in response.bifurcations] == ["saddle-node"] * 2
+
+
+@pytest.mark.parametrize("count", [9, 80])
+def test_pitchforks_among_the_values(count: int) -> None:
+    """Mathieu and Duffing, where σ² = f² − 4μ²."""
+    flow = Flow(1, ((0, (0, 1, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        return np.stack([0.1j * one, -0.05 - 0.5j * s, 0.75j * one], axis=-1)
+
+    response = same_answer(flow, coefficients, np.linspace(-0.5, 0.5, count), 1.0)
+    assert [b.kind for b in response.bifurcations] == ["pitchfork"] * 2
+    edge = np.sqrt(0.2**2 - 4 * 0.05**2)
+    exact = response_of(flow, coefficients, [-0.5, -edge, 0.0, edge, 0.4])
+    assert [b.kind for b in exact.bifurcations] == ["pitchfork"] * 2
+    assert len(exact.branches) == 3
+
+
+def test_bifurcations_of_two_amplitudes_among_the_values() -> None:
+    """1:2 driven at the higher frequency as above: folds and pitchforks; sampled coarsely."""
+    flow, coefficients = between_pitchforks()
+    response = same_answer(flow, coefficients, np.linspace(-0.05, 0.05, 30), 0.1)
+    kinds = [b.kind for b in response.bifurcations]
+    assert kinds == ["saddle-node", "pitchfork", "pitchfork", "saddle-node"]
+
+
+@pytest.mark.parametrize("count", [2, 12, 101, 301])
+def test_a_hopf_point_between_few_values(count: int) -> None:
+    """Two alike Duffing oscillators, coupled, the first driven: whatever values are given.
+
+    It is close to a fold, and only 1001 given values and more have one between the two. Each
+    point is one by its own spectrum.
+    """
+    first = [(0, 0, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 0, 0, 0, 0, 0), (2, 1, 0, 0, 0, 0)]
+    second = [e[3:] + e[:3] for e in first[1:]]
+    flow = Flow(2, (*((0, e) for e in first), *((1, e) for e in second)))
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        own = [-0.05j * one, -0.025 + 0.05j - 1j * s, 1.5j * one]
+        return np.stack([-0.025j * one, *own, *own], axis=-1)
+
+    response = response_of(flow, coefficients, np.linspace(-0.3, 0.6, count))
+    found = [b for b in response.bifurcations if b.kind == "Hopf"]
+    assert len(found) == 3
+    assert any(b.parameter == pytest.approx(0.158724, abs=1e-6) for b in found)
+    for b in found:
+        values = spectrum(flow, coefficients(np.array([b.parameter]))[0], b.amplitudes)
+        pairs = np.abs(values[:, None] + values)[np.triu_indices(4, 1)]
+        assert pairs.min() < 1e-11 * np.abs(values).max()

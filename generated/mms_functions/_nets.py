@@ -68,7 +68,13 @@ class Net(NamedTuple):
     links: list[Link]
 
 
-def nets(flow: Flow, coefficients: Any, p: NDArray[np.float64], found: Equilibria) -> list[Net]:
+def nets(
+    flow: Flow,
+    coefficients: Any,
+    p: NDArray[np.float64],
+    found: Equilibria,
+    limits: tuple[float, float],
+) -> list[Net]:
     """Nodes from the equilibria at all sections, of images of each other the first one.
 
     Parameters
@@ -80,9 +86,10 @@ def nets(flow: Flow, coefficients: Any, p: NDArray[np.float64], found: Equilibri
         The sections, ascending.
     found : Equilibria
         At the sections.
+    limits : tuple of float
+        Ends of the range of p.
     """
     kinds: dict[tuple[int, ...], Net] = {}
-    limits = float(p[0]), float(p[-1])
     for i in range(len(p)):
         for b, drift in zip(found.amplitudes[i], found.drift[i], strict=True):
             if not np.isfinite(b).all():
@@ -181,7 +188,7 @@ def _straight(net: Net, p: NDArray[np.float64], todo: list[tuple[int, int]]) -> 
     at = {section: node for node, section in enumerate(net.section)}
     for node, side in todo:
         section = net.section[node]
-        ends = p[[section, section + side]] / (p[-1] - p[0])
+        ends = p[[section, section + side]] / (net.curve.high - net.curve.low)
         arc = Arc(ends[:, None], np.full((2, 1), float(side)), np.zeros(0), side)
         if section + side in at:
             net.links.append(Link(node, side, at[section + side], -side, (), arc))

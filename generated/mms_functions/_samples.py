@@ -19,13 +19,17 @@ __all__ = ["Samples", "mirrored", "samples", "samples_at_rest"]
 
 
 class Samples(NamedTuple):
-    """Points of links: which link, how far along it, p, real unknowns, whether p turns there."""
+    """Points of links: which link, how far along it, p, real unknowns.
+
+    Then whether p turns there, and whether it is a given value.
+    """
 
     link: NDArray[np.int64]
     along: NDArray[np.float64]
     p: NDArray[np.float64]
     x: NDArray[np.float64]
     fold: NDArray[np.bool_]
+    given: NDArray[np.bool_]
 
     def pick(self, rows: Any) -> Samples:
         """Some of them."""
@@ -58,9 +62,18 @@ def _bows(links: list[Link]) -> tuple[Bow, NDArray[Any], NDArray[np.int64], NDAr
 HALVINGS = 5
 """How often the pieces beside a turn are halved towards it."""
 
+PROBES = 4
+"""Into how many parts each step of a curve is cut, to see bifurcations between given values."""
+
+AT_REST = 16
+"""Points between two sections, at the least, where all amplitudes are zero."""
+
+AT_FOLD = 2e-13
+"""A given value that is closer to a turn is there, over the range."""
+
 
 def samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> Samples:
-    """Points of all links at the given values between the nodes, and their folds."""
+    """Points of all links at the given values between the nodes, between these, and their folds."""
     curve = net.curve
     bow, scale, owner, place = _bows(net.links)
     turns = (bow.slope[:, -1] > 0.0) != (bow.end[:, -1] > 0.0)
@@ -71,16 +84,45 @@ def samples(net: Net, p: NDArray[np.float64], c: NDArray[np.complex128]) -> Samp
     pieces = np.concatenate((plain, k[step]))
     along = np.concatenate((place[plain], place[k[step]] + begin))
     lengths = np.concatenate((np.ones(len(plain)), length))
-    sampled = _dense(curve, whole, scale[pieces], owner[pieces], along, lengths, p, c)
-    fold = ~_own_image(net.links, owner[k])
-    folds = Samples(
-        owner[k],
-        place[k] + 0.5,
-        w[:, -1] * (p[-1] - p[0]),
-        w[:, :-1] * scale[k],
-        np.ones(len(k), bool),
-    )
-    return sampled.and_then(folds.pick(fold))
+    parts = whole, scale[pieces], owner[pieces], along, lengths
+    sampled = _dense(curve, *parts, p, c).and_then(_probes(curve, *parts))
+    width = curve.high - curve.low
+    at = w[:, -1] * width
+    nearest = p[np.abs(p[:, None] - at).argmin(axis=0)] if len(at) else at
+    there = np.abs(nearest - at) < AT_FOLD * width
+    at = np.where(there, nearest, at)
+    no = np.zeros(len(k), bool)
+    folds = Samples(owner[k], place[k] + 0.5, at, w[:, :-1] * scale[k], ~no, there)
+    # The second half of a mirrored piece is the first one again.
+    middle = _own_image(net.links, owner[k])
+    stop = np.array([0.5 * (len(x.arc.points) - 1) if mirrored(x) else np.inf for x in net.links])
+    stop[owner[k[middle]]] = place[k[middle]] + 0.5
+    keep = sampled.along < stop[sampled.link]
+    for i in range(len(k)):
+        keep &= (sampled.link != owner[k[i]]) | (np.abs(sampled.p - at[i]) >= AT_FOLD * width)
+    return sampled.pick(keep).and_then(folds.pick(folds.along < stop[folds.link]))
+
+
+def _probes(
+    curve: Curve,
+    bow: Bow,
+    scale: NDArray[np.float64],
+    owner: NDArray[np.int64],
+    begin: NDArray[np.float64],
+    length: NDArray[np.float64],
+) -> Samples:
+    """Points in steps along which p does not turn, wherever they are."""
+    share = np.tile(np.arange(PROBES) / PROBES, len(owner))
+    step = np.repeat(np.arange(len(owner)), PROBES)
+    own = bow.pick(step)
+    # Across the curve: with p held fixed one may come to another sheet close by.
+    w, _ = across(curve, own.at(share), scale[step], own.towards(share), 3)
+    p = w[:, -1] * (curve.high - curve.low)
+    keep = (p > curve.low) & (p < curve.high) & ((begin[step] > 0.0) | (share > 0.0))
+    step, share, p = step[keep], share[keep], p[keep]
+    x = w[keep, :-1] * scale[step]
+    no = np.zeros(len(step), bool)
+    return Samples(owner[step], begin[step] + length[step] * share * 0.999, p, x, no, no)
 
 
 def _towards(
@@ -163,7 +205,8 @@ def _dense(
     x = own.at(u, slice(None, -1)) * scale[step]
     x = _polished(curve.place, c[index], x, scale[step])
     along = begin[step] + length[step] * u * 0.999
-    return Samples(owner[step], along, p[index], x, np.zeros(len(step), bool))
+    no = np.zeros(len(step), bool)
+    return Samples(owner[step], along, p[index], x, no, ~no)
 
 
 def _polished(
@@ -186,13 +229,17 @@ def _polished(
     return x
 
 
-def samples_at_rest(net: Net, p: NDArray[np.float64], sections: NDArray[np.int64]) -> Samples:
-    """All values between the nodes of amplitudes that are all zero."""
-    links, along, values = [], [], []
+def samples_at_rest(net: Net, p: NDArray[np.float64], sections: NDArray[np.float64]) -> Samples:
+    """All values between the nodes of amplitudes that are all zero, and others where few are."""
+    links, along, values, given = [], [], [], []
     for k, link in enumerate(net.links):
-        ends = sorted(int(sections[net.section[node]]) for node in (link.start, link.end))
-        inside = p[ends[0] + 1 : ends[1]]
+        ends = sorted(float(sections[net.section[node]]) for node in (link.start, link.end))
+        inside = p[(p > ends[0]) & (p < ends[1])]
+        if len(inside) < AT_REST:
+            inside = np.union1d(inside, np.linspace(ends[0], ends[1], AT_REST + 2)[1:-1])
+            inside = inside[(inside >= p[0]) & (inside <= p[-1])]
         inside = inside if link.start_side > 0 else inside[::-1]
+        given.append(np.isin(inside, p))
         links.append(np.full(len(inside), k))
         along.append(np.arange(len(inside), dtype=np.float64))
         values.append(inside)
@@ -203,4 +250,5 @@ def samples_at_rest(net: Net, p: NDArray[np.float64], sections: NDArray[np.int64
         np.concatenate(values),
         np.zeros((count, 0)),
         np.zeros(count, bool),
+        np.concatenate(given),
     )

@@ -12,23 +12,16 @@ from ._arcs import Curve
 from ._charts import normal
 from ._flow import Flow
 from ._images import images
-from ._many_amplitudes import equilibria_of_many
 from ._nets import Net, joined, nets
-from ._one_amplitude import equilibria_of_one
 from ._points import Points, bifurcations, points_of
-from ._records import Bifurcation, Branch, Equilibria, Response
+from ._records import Bifurcation, Branch, Response
 from ._samples import Samples, mirrored, samples, samples_at_rest
+from ._sections import sections_of
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 __all__ = ["response_of"]
-
-SECTIONS = 48
-"""Values of the parameter at which all equilibria of several amplitudes are computed, at first."""
-
-SECTIONS_OF_ONE, LOOKED_AT = 40, 2048
-"""The same for one amplitude, and at how many values there its equilibria are counted."""
 
 
 def response_of(
@@ -63,9 +56,12 @@ def response_of(
     Notes
     -----
     All equilibria are computed at 48 values, twice as many where their number changes; for one
-    amplitude at 2048. From there the branches are followed. A closed branch that lies between two
-    neighbouring ones of these values is not seen. Nor are circles followed that belong to a
-    symmetry which one amplitude has at single values only, as without its force.
+    amplitude at 2048; where fewer are given, at others between them too. From there the branches
+    are followed. A closed branch that lies between two neighbouring ones of these values is not
+    seen. Bifurcations are looked for along the branches at more points than the given ones, so
+    that they do not depend on these; two of a kind within a quarter of a step may be missed.
+    Circles are not followed that belong to a symmetry which one amplitude has at single values
+    only, as without its force.
     """
     given = np.asarray(values)
     if given.ndim != 1 or given.dtype.kind not in "iuf" or not np.isfinite(given).all():
@@ -95,68 +91,20 @@ def _followed(
     name: str,
 ) -> Response:
     """The response at ascending values and the coefficients there."""
-    sections, found = _sections(flow, p, c)
-    parts = nets(flow, numbers, p[sections], found)
+    sections, found = sections_of(flow, numbers, p)
+    parts = nets(flow, numbers, sections, found, (float(p[0]), float(p[-1])))
     raw: list[_Raw] = []
     for net in parts:
         if len(sections) > 1:
-            joined(net, p[sections])
+            joined(net, sections)
         raw += _branches(flow, net, p, c, sections)
     size = float(np.nanmax(np.abs(found.amplitudes), initial=0.0)) or 1.0
     marks = bifurcations([(flow, r.curve, r.points) for r in raw], size, float(p[-1] - p[0]))
+    marks = tuple(m for m in marks if p[0] <= m.parameter <= p[-1])
     branches = [_finished(r, marks, p) for r in raw]
     long = [b for b in branches if len(b.parameter) > 1 or len(p) == 1]
     alone = [b for b in branches if len(b.parameter) == 1 < len(p) and not _on_any(b, long, size)]
     return Response(name, (*long, *alone), marks)
-
-
-def _sections(
-    flow: Flow, p: NDArray[np.float64], c: NDArray[np.complex128]
-) -> tuple[NDArray[np.int64], Equilibria]:
-    """Places among the values at which all equilibria are known, and these."""
-    if flow.n == 1:
-        looked = _spread(len(p), LOOKED_AT)
-        every = equilibria_of_one(flow, c[looked], circles=False)
-        number = every.number
-        chosen = _spread(len(looked), SECTIONS_OF_ONE)
-        tops = []
-        for a, b in pairwise(chosen):
-            # A closed branch between two sections shows in the number of equilibria there.
-            top = a + int(np.argmax(number[a : b + 1]))
-            if number[top] > max(number[a], number[b]):
-                tops.append(top)
-        chosen = np.unique(np.concatenate((chosen, np.array(tops, dtype=np.int64))))
-        return looked[chosen], _picked(every, chosen)
-    chosen = _spread(len(p), SECTIONS)
-    found = equilibria_of_many(flow, c[chosen])
-    change = np.diff(found.number) != 0
-    middle = (chosen[:-1] + chosen[1:])[change] // 2
-    middle = np.setdiff1d(middle, chosen)
-    if len(middle):
-        more = equilibria_of_many(flow, c[middle])
-        width = max(found.amplitudes.shape[1], more.amplitudes.shape[1])
-        wide = zip(found, more, strict=True)
-        both: list[Any] = [np.concatenate((_wide(a, width), _wide(b, width))) for a, b in wide]
-        chosen = np.concatenate((chosen, middle))
-        order = np.argsort(chosen)
-        chosen, found = chosen[order], _picked(Equilibria(*both), order)
-    return chosen, found
-
-
-def _spread(size: int, count: int) -> NDArray[np.int64]:
-    """At most `count` places among `size`, the first and the last with them."""
-    return np.unique(np.linspace(0, size - 1, count).round().astype(np.int64))
-
-
-def _picked(found: Equilibria, rows: NDArray[np.int64]) -> Equilibria:
-    parts: list[Any] = [part[rows] for part in found]
-    return Equilibria(*parts)
-
-
-def _wide(part: NDArray[Any], width: int) -> NDArray[Any]:
-    """Filled up with NaN along the second axis."""
-    missing = [(0, 0), (0, width - part.shape[1])] + [(0, 0)] * (part.ndim - 2)
-    return np.pad(part, missing, constant_values=np.nan)
 
 
 class _Raw(NamedTuple):
@@ -175,13 +123,14 @@ def _branches(
     net: Net,
     p: NDArray[np.float64],
     c: NDArray[np.complex128],
-    sections: NDArray[np.int64],
+    sections: NDArray[np.float64],
 ) -> list[_Raw]:
     """The branches of a net, at the given values and at their folds."""
     place = net.curve.place
     at = sections[net.section]
+    no = np.zeros(len(at), bool)
     nodes = Samples(
-        np.full(len(at), -1), np.zeros(len(at)), p[at], np.array(net.x), np.zeros(len(at), bool)
+        np.full(len(at), -1), np.zeros(len(at)), at, np.array(net.x), no, np.isin(at, p)
     )
     if net.links:
         between = samples(net, p, c) if place.active else samples_at_rest(net, p, sections)
@@ -190,7 +139,7 @@ def _branches(
         every = nodes.and_then(between)
     else:
         between, every = nodes, nodes
-    points = points_of(flow, net.curve, every.p, every.x, every.fold)
+    points = points_of(flow, net.curve, every.p, every.x, every.fold, every.given)
     count = len(at)
     inner = [
         count + np.flatnonzero(between.link == k) if net.links else np.zeros(0, int)
@@ -209,21 +158,26 @@ def _branches(
         steps = chain[1]
         first = bool(steps) and steps[0][1] and _terminal(net, steps[0][0])
         last = bool(steps) and not steps[-1][1] and _terminal(net, steps[-1][0])
-        branches.append(_Raw(net.curve, own, (first, last)))
+        # A fold beyond the given values parts what is within them.
+        beyond = own.fold & ((own.parameter < p[0]) | (own.parameter > p[-1]))
+        stops = np.concatenate(([-1], np.flatnonzero(beyond), [len(beyond)]))
+        for a, b in pairwise(stops):
+            ends = first and a < 0, last and b == len(beyond)
+            branches.append(_Raw(net.curve, own.pick(slice(a + 1, b)), ends))
     return branches
 
 
 def _finished(raw: _Raw, marks: tuple[Bifurcation, ...], p: NDArray[np.float64]) -> Branch:
     """The branch, its open ends led on to the bifurcations where they come from."""
     place = raw.curve.place
-    out = Branch(*raw.points[:4])
+    out = Branch(*raw.points.pick(raw.points.given | raw.points.fold)[:4])
     for k, is_open in zip((0, -1), raw.open, strict=True):
         if not is_open:
             continue
-        at = float(out.parameter[k])
+        at = float(raw.points.parameter[k])
         near = int(np.clip(np.searchsorted(p, at), 1, len(p) - 1))
         reach = 1.5 * float(np.diff(p[max(near - 2, 0) : near + 3]).max())
-        b = out.amplitudes[k]
+        b = raw.points.amplitudes[k]
         found = [
             m
             for m in marks
@@ -319,8 +273,7 @@ def _along(
     phases = [np.zeros((len(index[0]), width))]
     for k, back in steps:
         link, ends = net.links[k], _terminal(net, k)
-        own = inner[k][: len(inner[k]) // 2] if mirrored(link) else inner[k]
-        own = own[::-1] if back else own
+        own = inner[k][::-1] if back else inner[k]
         shift = np.zeros(width) if ends else np.array(link.phases)
         phase = phase - shift if back else phase
         index.append(own)

@@ -37,6 +37,8 @@ class Points(NamedTuple):
         Product of the sums of any two of them (Orlando's formula: the Hurwitz determinant).
     fold : numpy.ndarray
         Whether the parameter turns there.
+    given : numpy.ndarray
+        Whether it is at a given value; all others are there to see bifurcations between these.
     """
 
     parameter: NDArray[np.float64]
@@ -47,6 +49,7 @@ class Points(NamedTuple):
     steady: NDArray[np.float64]
     swinging: NDArray[np.float64]
     fold: NDArray[np.bool_]
+    given: NDArray[np.bool_]
 
     def pick(self, rows: Any) -> Points:
         """Some of them."""
@@ -60,6 +63,7 @@ def points_of(
     p: NDArray[np.float64],
     x: NDArray[np.float64],
     fold: NDArray[np.bool_],
+    given: NDArray[np.bool_],
 ) -> Points:
     """Amplitudes and eigenvalues at points of a curve."""
     place = curve.place
@@ -78,7 +82,7 @@ def points_of(
         steady, swinging = _products(values)
     # At a fold an eigenvalue is zero; the square root of the rounding is left of it.
     growth[fold & (np.abs(growth) <= 1e-6 * np.abs(growth).max(initial=0.0))] = 0.0
-    return Points(p, whole, drift, growth, x, steady, swinging, fold)
+    return Points(p, whole, drift, growth, x, steady, swinging, fold, given)
 
 
 def _planar(
@@ -163,16 +167,30 @@ def bifurcations(
 
 def _at_fold(flow: Flow, curve: Curve, points: Points, k: int) -> _Mark:
     """A saddle-node; or a pitchfork, on the branch that turns back there."""
-    p, x = points.parameter[k : k + 1], points.x[k : k + 1]
-    c, slope = curve.at(p)
-    _, matrices = equations(curve.place, c, *unpack(curve.place, x))
-    left = np.linalg.svd(matrices[0])[0][:, -1]
-    by, _ = equations(
-        curve.place, slope, unpack(curve.place, x)[0], np.zeros((1, len(curve.place.pivots)))
-    )
-    kind = "saddle-node" if np.abs(left @ by[0]) > 1e-4 * np.linalg.norm(by[0]) else "pitchfork"
-    point = Bifurcation(kind, float(p[0]), points.amplitudes[k], points.drift[k], 0.0)
+    here = points.pick(slice(k, k + 1))
+    c, _ = curve.at(here.parameter)
+    _, matrices = equations(curve.place, c, *unpack(curve.place, here.x))
+    kind = "pitchfork"
+    size = float(np.nanmax(np.abs(points.amplitudes), initial=0.0))
+    if _turns(curve, here, np.linalg.svd(matrices[0])[0][:, -1], size):
+        kind = "saddle-node"
+    p = float(here.parameter[0])
+    point = Bifurcation(kind, p, here.amplitudes[0], here.drift[0], 0.0)
     return _Mark(point, 0 if kind == "saddle-node" else 2)
+
+
+def _turns(curve: Curve, here: Points, left: NDArray[np.float64], size: float) -> bool:
+    """Whether p leads across the range of a singular Jacobian, whose left null vector is given.
+
+    Then one curve only passes there, and turns.
+    """
+    b, rate = unpack(curve.place, here.x)
+    c, slope = curve.at(here.parameter)
+    by = equations(curve.place, slope, b, np.zeros_like(rate))[0][0]
+    # At zero amplitudes nothing but rounding may be left of it.
+    least = 1e-7 * np.abs(equations(curve.place, c, b, rate)[1]).max() * size
+    across = np.abs(left @ by)
+    return bool(across > 1e-6 * np.linalg.norm(by) and across * (curve.high - curve.low) > least)
 
 
 def _crossings(flow: Flow, curve: Curve, points: Points, size: float) -> list[_Mark | None]:
@@ -205,7 +223,8 @@ def _located(flow: Flow, curve: Curve, points: Points, a: int, b: int, which: in
                 f, matrices = equations(curve.place, c, *unpack(curve.place, x))
                 step = solve(matrices, f[..., None])[..., 0]
                 x = x - np.where(np.isfinite(step), step, 0.0)
-        return points_of(flow, curve, np.array([p]), x, np.zeros(1, bool))
+        no = np.zeros(1, bool)
+        return points_of(flow, curve, np.array([p]), x, no, no)
 
     def value(points: Points) -> float:
         return float((points.steady, points.swinging)[which][0])
@@ -291,6 +310,8 @@ def _at_branching(flow: Flow, curve: Curve, place: Points, size: float) -> _Mark
     else:
         u, _, v = np.linalg.svd(inner(place.amplitudes))
         left, right, derivative = u[:, -1], v[-1].copy(), inner
+        if _turns(curve, place, left, size):
+            return None  # a fold, which its turn tells: the two points are of different sheets
         direction = right.copy()
         for pivot in curve.place.pivots:
             direction[2 * pivot + 1] = 0.0

@@ -1,0 +1,185 @@
+"""Values of a parameter at which all equilibria are computed; curves are followed between them.
+
+None of the equilibria there is singular, as far as that can be avoided: at a fold two of them are
+one, and which curve leads where is lost. So these values are not always given ones.
+"""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ._flow import Flow, jacobian, spectrum
+from ._many_amplitudes import equilibria_of_many
+from ._one_amplitude import equilibria_of_one
+from ._records import Equilibria
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from numpy.typing import NDArray
+
+__all__ = ["sections_of"]
+
+SECTIONS = 48
+"""Values of the parameter at which all equilibria of several amplitudes are computed, at first."""
+
+SECTIONS_OF_ONE, LOOKED_AT = 40, 2048
+"""The same for one amplitude, and at how many values there its equilibria are counted."""
+
+FEWEST, FEWEST_OF_ONE = 24, 65
+"""Where fewer values are given, as many more between them: curves are not followed far."""
+
+REGULAR = 1e-4
+"""An eigenvalue that is smaller than the others by this is nearly zero: 1e-8 from a fold."""
+
+ASIDE, BEYOND = 0.382, 1e-3
+"""How far a section moves: of the way to the next value; at the ends, of the range."""
+
+
+def sections_of(
+    flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], Equilibria]:
+    """Values, ascending, and all equilibria there.
+
+    Parameters
+    ----------
+    flow : Flow
+    numbers : callable
+        p → coefficients, shape (K,) → (K, terms).
+    p : numpy.ndarray
+        Given values, ascending. The first and the last section may be beyond them.
+    """
+    if len(p) == 1:
+        return p, _solved(flow, numbers(p))
+    values = _base(flow, numbers, p)
+    sections, found = (_of_one if flow.n == 1 else _of_many)(flow, numbers, values)
+    bad = np.flatnonzero(_singular(flow, _extended(numbers, p, sections), found))
+    if not len(bad):
+        return sections, found
+    moved = sections.copy()
+    for k in bad:
+        if k in (0, len(sections) - 1):
+            moved[k] += (p[-1] - p[0]) * BEYOND * (-1.0 if k == 0 else 1.0)
+        else:
+            after = values[np.searchsorted(values, sections[k], side="right")]
+            moved[k] += ASIDE * (after - sections[k])
+    more = _solved(flow, _extended(numbers, p, moved[bad]))
+    rest = np.setdiff1d(np.arange(len(sections)), bad)
+    both = _together(_picked(found, rest), more)
+    places = np.concatenate((sections[rest], moved[bad]))
+    places, order = np.unique(places, return_index=True)
+    return places, _picked(both, order)
+
+
+def _base(
+    flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The given values, or some of them where they are many, and others where they are few."""
+    fewest = FEWEST_OF_ONE if flow.n == 1 else FEWEST
+    if len(p) >= fewest:
+        return p[_spread(len(p), LOOKED_AT)] if flow.n == 1 else p
+    more = np.linspace(p[0], p[-1], fewest)[1:-1]
+    return np.union1d(p, more[np.isfinite(numbers(more)).all(axis=-1)])
+
+
+def _of_one(
+    flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], Equilibria]:
+    c = numbers(p)
+    every = _solved(flow, c)
+    number = np.where(_singular(flow, c, every), 0, every.number)
+    chosen = _spread(len(p), SECTIONS_OF_ONE)
+    tops = []
+    for a, b in pairwise(chosen):
+        # A closed branch between two sections shows in the number of equilibria there.
+        top = a + int(np.argmax(number[a : b + 1]))
+        if number[top] > max(number[a], number[b]):
+            tops.append(top)
+    chosen = np.unique(np.concatenate((chosen, np.array(tops, dtype=np.int64))))
+    return p[chosen], _picked(every, chosen)
+
+
+def _of_many(
+    flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], Equilibria]:
+    # A double equilibrium may not be found, so that none of them is looked at where one was given.
+    at = p.copy()
+    at[1:-1] += ASIDE * np.diff(p)[1:]
+    chosen = _spread(len(p), SECTIONS)
+    found = _solved(flow, numbers(at[chosen]))
+    change = np.diff(found.number) != 0
+    middle = np.setdiff1d((chosen[:-1] + chosen[1:])[change] // 2, chosen)
+    if len(middle):
+        found = _together(found, _solved(flow, numbers(at[middle])))
+        chosen = np.concatenate((chosen, middle))
+        order = np.argsort(chosen)
+        chosen, found = chosen[order], _picked(found, order)
+    return at[chosen], found
+
+
+def _solved(flow: Flow, c: NDArray[np.complex128]) -> Equilibria:
+    if flow.n == 1:
+        return equilibria_of_one(flow, c, circles=False)
+    return equilibria_of_many(flow, c)
+
+
+def _singular(flow: Flow, c: NDArray[Any], found: Equilibria) -> NDArray[np.bool_]:
+    """Whether an eigenvalue of one of the equilibria is nearly zero, but for the symmetries."""
+    c = c[:, None, :]
+    drift = found.drift if flow.symmetries else None
+    there = np.isfinite(found.amplitudes).all(axis=-1)
+    if flow.n == 1:
+        j = jacobian(flow, c, found.amplitudes, drift)
+        size = np.abs(j).max(axis=(-1, -2))
+        if flow.symmetries:
+            ratio = np.abs(j[..., 0, 0] + j[..., 1, 1]) / size
+        else:
+            ratio = np.abs(j[..., 0, 0] * j[..., 1, 1] - j[..., 0, 1] * j[..., 1, 0]) / size**2
+    else:
+        sizes = np.abs(spectrum(flow, c, found.amplitudes, drift))
+        sizes = np.where(np.isfinite(sizes), sizes, np.nan)
+        ratio = np.nanmin(np.append(sizes, np.full((*sizes.shape[:-1], 1), np.inf), -1), -1)
+        ratio /= np.nanmax(np.append(sizes, np.zeros((*sizes.shape[:-1], 1)), -1), -1)
+    singular: NDArray[np.bool_] = (there & ~(ratio > REGULAR)).any(axis=-1)
+    return singular
+
+
+def _extended(
+    numbers: Callable[[Any], NDArray[np.complex128]],
+    p: NDArray[np.float64],
+    at: NDArray[np.float64],
+) -> NDArray[np.complex128]:
+    """Coefficients, which go on as straight lines beyond the values."""
+    inside = np.clip(at, p[0], p[-1])
+    back = inside + 1e-6 * (p[-1] - p[0]) * np.where(at > inside, -1.0, 1.0)
+    c = numbers(inside)
+    if np.array_equal(inside, at):
+        return c
+    slope = (numbers(np.clip(back, p[0], p[-1])) - c) / (back - inside)[:, None]
+    return c + np.where(at == inside, 0.0, at - inside)[:, None] * slope
+
+
+def _spread(size: int, count: int) -> NDArray[np.int64]:
+    """At most `count` places among `size`, the first and the last with them."""
+    return np.unique(np.linspace(0, size - 1, count).round().astype(np.int64))
+
+
+def _together(one: Equilibria, other: Equilibria) -> Equilibria:
+    width = max(one.amplitudes.shape[1], other.amplitudes.shape[1])
+    pairs = zip(one, other, strict=True)
+    parts: list[Any] = [np.concatenate((_wide(a, width), _wide(b, width))) for a, b in pairs]
+    return Equilibria(*parts)
+
+
+def _picked(found: Equilibria, rows: NDArray[np.int64]) -> Equilibria:
+    parts: list[Any] = [part[rows] for part in found]
+    return Equilibria(*parts)
+
+
+def _wide(part: NDArray[Any], width: int) -> NDArray[Any]:
+    """Filled up with NaN along the second axis."""
+    missing = [(0, 0), (0, width - part.shape[1])] + [(0, 0)] * (part.ndim - 2)
+    return np.pad(part, missing, constant_values=np.nan)
