@@ -153,6 +153,8 @@ def test_newton_from_anywhere_finds_nothing_new(name: str, seed: int, conservati
     c = 1j * random.normal(size=size) + (0 if conservative else random.normal(size=size))
     found = equilibria_of_one(flow, c)
     listed = found.amplitudes[np.isfinite(found.growth), 0]
+    apart = np.abs(listed[:, None] - listed) + np.diag(np.full(len(listed), np.inf))
+    assert (apart > 1e-8 * np.abs(listed)).all()  # none is there twice
     starts = np.exp(random.normal(size=400) + 2j * np.pi * random.random(400))
     seen = newton(flow, c, starts)
     for b in seen[np.abs(seen) < 1e3]:

@@ -139,9 +139,11 @@ def _distinct(
     rates; of the two that one stays of whose rates less is left.
     """
     kept = np.ones(len(order), dtype=bool)
-    for shift in range(1, min(8, len(order))):
+    for shift in range(1, len(order)):
         a, b = order[:-shift], order[shift:]
         near = (r[b] - r[a] <= WIDEST * r[b]) & (row[b] == row[a])
+        if not near.any():
+            break
         place, a, b = np.flatnonzero(near), a[near], b[near]
         turn = np.angle(np.exp(1j * (angle[b] - angle[a])))
         same = (r[b] - r[a] <= SAME * r[b]) & (np.abs(turn) <= SAME)
