@@ -82,7 +82,7 @@ gone = $(filter-out $(wildcard $(file <build/$1.stamp)),$(file <build/$1.stamp))
 build/%.stamp: derivations/%.py $(SHARED) $(ENGINE) $(ENV) $$(wildcard $$(call emitted,$$*)) $$(if $$(call gone,$$*),FORCE)
 	@mkdir -p build
 	$(BIN)/python -m mmsgen make $*
-	@ls derivations/$*.ipynb generated/mms_functions/$*/*.py generated/mms_functions/$*/*.json | tr '\n' ' ' > $@.new
+	@ls derivations/$*.ipynb generated/mms_functions/$*/*.py generated/mms_functions/$*/*.json 2>/dev/null | tr '\n' ' ' > $@.new
 	@mv $@.new $@
 
 FORCE:
