@@ -19,7 +19,7 @@ from ._systems import moving
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Chart", "chart", "equations", "normal", "pack", "polish", "unpack"]
+__all__ = ["Chart", "chart", "equations", "normal", "pack", "parts", "polish", "unpack"]
 
 
 class Chart(NamedTuple):
@@ -164,19 +164,19 @@ def equations(
     flow = place.flow
     f = rates(flow, c, b)
     if not place.pivots:
-        return _parts(2.0 * f), jacobian(flow, c, b)
+        return parts(2.0 * f), jacobian(flow, c, b)
     turns = np.array(flow.symmetries, dtype=np.float64)
     f = f - 1j * (rate @ turns) * b
     matrices = jacobian(flow, c, b, rate)
     for i, pivot in enumerate(place.pivots):
-        matrices[..., 2 * pivot + 1] = _parts(-2j * turns[i] * b)
-    return _parts(2.0 * f), matrices
+        matrices[..., 2 * pivot + 1] = parts(-2j * turns[i] * b)
+    return parts(2.0 * f), matrices
 
 
-def _parts(values: NDArray[np.complex128]) -> NDArray[np.float64]:
+def parts(values: NDArray[np.complex128]) -> NDArray[np.float64]:
     """Real and imaginary parts one after the other along the last axis."""
-    parts = np.stack((values.real, values.imag), axis=-1)
-    return parts.reshape(*values.shape[:-1], 2 * values.shape[-1])
+    both = np.stack((values.real, values.imag), axis=-1)
+    return both.reshape(*values.shape[:-1], 2 * values.shape[-1])
 
 
 def unpack(place: Chart, x: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:

@@ -245,11 +245,6 @@ class Setting:
         return tuple(sorted(found))
 
 
-def names_of(parameters: Sequence[Parameter]) -> tuple[str, ...]:
-    """The names of parameters."""
-    return tuple(p.name for p in parameters)
-
-
 def values_of(point: Mapping[str, object], parameters: Sequence[Parameter]) -> dict[str, object]:
     """The values of parameters at a point."""
     return {p.name: point[p.name] for p in parameters}

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._charts import chart, normal
+from ._charts import chart, normal, parts
 from ._flow import Flow, jacobian, rates
 from ._systems import System, patterns
 
@@ -140,7 +140,7 @@ def _newton(
     matrix = matrix * unit[:, None, :]
     for g in system.drifts:
         along = -1j * np.array(flow.symmetries[g]) * b
-        matrix = np.concatenate((matrix, _parts(along)[:, cells][..., None]), axis=2)
+        matrix = np.concatenate((matrix, parts(along)[:, cells][..., None]), axis=2)
     # Each equation over the largest of its terms.
     most = np.abs(matrix).max(axis=2)
     most = np.maximum(most.reshape(-1, p, 2).max(axis=2), sizes[:, list(system.active)])
@@ -148,7 +148,7 @@ def _newton(
     matrix = matrix / most[:, :, None]
     usable = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(values).all(axis=1)
     matrix = np.where(usable[:, None, None], matrix, 0.0)
-    right = np.where(usable[:, None], _parts(values)[:, cells] / most, 0.0)
+    right = np.where(usable[:, None], parts(values)[:, cells] / most, 0.0)
     u, s, v = np.linalg.svd(matrix, full_matrices=False)
     inverse = np.where(s > SINGULAR * s[:, :1], 1.0 / np.where(s > 0.0, s, 1.0), 0.0)
     step = -np.einsum("kji,kj,klj,kl->ki", v, inverse, u, right)
@@ -157,8 +157,3 @@ def _newton(
     moved[:, list(system.active)] = change[:, 0::2] + 1j * change[:, 1::2]
     turned[:, list(system.drifts)] = step[:, 2 * p :]
     return moved, turned, s[:, -1] / np.where(s[:, 0] > 0.0, s[:, 0], 1.0)
-
-
-def _parts(values: NDArray[np.complex128]) -> NDArray[np.float64]:
-    parts = np.stack((values.real, values.imag), axis=-1)
-    return parts.reshape(*values.shape[:-1], 2 * values.shape[-1])
