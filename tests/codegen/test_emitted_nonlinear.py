@@ -211,8 +211,59 @@ def test_where_equilibria_meet_there_is_no_derivative() -> None:
     found, slopes = functions("swing").equilibria(**given, gradient=True)
     at_rest = slopes["sigma"].amplitudes[:, 0, 0]
     assert (found.amplitudes[:, 0, 0] == 0.0).all()
-    assert not np.isfinite(at_rest[0])
+    assert np.isnan(at_rest[0])
     assert at_rest[1] == 0.0
+
+
+def at_bifurcation(
+    name: str, over: str, where: Any, kind: str, **more: float
+) -> tuple[Any, Any, Any]:
+    """A bifurcation, the equilibria there, and how they move."""
+    given = {**values(name), **more}
+    response = functions(name).frequency_response(**{**given, over: where}, over=over)
+    point = next(b for b in response.bifurcations if b.kind == kind)
+    found, slopes = functions(name).equilibria(**{**given, over: point.parameter}, gradient=True)
+    return point, found, slopes
+
+
+def nearest(point: Any, found: Any) -> Any:
+    """The equilibria at a bifurcation: within the square root of the precision of it."""
+    away = np.abs(np.abs(found.amplitudes) - np.abs(point.amplitudes)).max(axis=-1)
+    return away < 1e-6 * np.abs(point.amplitudes).max()
+
+
+@pytest.mark.parametrize("name", ["primary1", "primary2", "two"])
+def test_at_a_fold_derivatives_are_missing_and_elsewhere_they_are_there(name: str) -> None:
+    over = "sigma_2" if name == "two" else "sigma"
+    point, found, slopes = at_bifurcation(name, over, np.linspace(-0.2, 1.0, 41), "saddle-node")
+    at_fold = nearest(point, found)
+    assert 0 < at_fold.sum() < len(at_fold) == found.number
+    for own in slopes.values():
+        assert np.isnan(own.amplitudes[at_fold]).all()
+        assert np.isfinite(own.amplitudes[~at_fold]).all()
+    # Close by, the two move apart like the square root of the distance.
+    sizes = []
+    for distance in (1e-8, 4e-8):
+        for side in (-1, 1):
+            given = {**values(name), over: point.parameter + side * distance}
+            there, moving = functions(name).equilibria(**given, gradient=True)
+            assert np.isfinite(moving[over].amplitudes[np.isfinite(there.growth)]).all()
+            if there.number > (~at_fold).sum():
+                sizes.append(np.abs(moving[over].amplitudes).max())
+    # Corrections are of the order of the root of the distance.
+    assert sizes[0] / sizes[1] == pytest.approx(2.0, rel=2e-2)
+
+
+def test_derivatives_at_a_hopf_point_are_there() -> None:
+    """The Jacobian is regular there, though the growth rate is zero."""
+    more = {"k": 0.5, "mu": 0.01, "nu": 0.01, "sigma_1": 0.05}
+    point, found, slopes = at_bifurcation(
+        "two", "sigma_2", np.linspace(-0.6, 0.6, 61), "Hopf", **more
+    )
+    own = nearest(point, found)
+    # Located to 1e-10 of the range.
+    assert found.growth[own] == pytest.approx(np.zeros(own.sum()), abs=1e-9)
+    assert np.isfinite(slopes["sigma_2"].amplitudes[own]).all()
 
 
 # --- the text -------------------------------------------------------------------------------------

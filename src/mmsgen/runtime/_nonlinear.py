@@ -1,53 +1,37 @@
 """What emitted functions of nonlinear slow flows do with their coefficients.
 
 Every such module holds the terms of its slow flow, `Flow`, and a kernel for their coefficients; the
-functions here evaluate them in batches: Jacobians, stability, equilibria and how they move with the
-parameters, and their curves along one parameter.
+functions here evaluate them in batches: Jacobians, stability, equilibria, and their curves along
+one parameter.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._dual import array_slopes, real_at
+from ._dual import real_at
 from ._flow import Flow, jacobian, rates, spectrum
 from ._records import Equilibria, Response
 from ._runtime import checked_amplitudes, evaluate, evaluate_array, refuse_masked
+from ._slopes import slopes_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
-    "Slopes",
     "backbone_at",
     "drift_of",
     "equilibria_at",
     "jacobian_at",
     "response_along",
-    "slopes_of",
     "stability_at",
 ]
 
 Kernel = Callable[..., Any]
 Arguments = Sequence["NDArray[np.float64]"]
-
-
-class Slopes(NamedTuple):
-    """How equilibria move with one parameter, the others fixed.
-
-    Attributes
-    ----------
-    amplitudes : numpy.ndarray
-        Complex dB_j/dp, shape (..., k, n). Phases are normalised as those of the amplitudes are.
-    drift : numpy.ndarray
-        Shape (..., k, g): dρ/dp.
-    """
-
-    amplitudes: NDArray[np.complex128]
-    drift: NDArray[np.float64]
 
 
 def coefficients_at(flow: Flow, kernel: Kernel, arguments: Arguments) -> NDArray[np.complex128]:
@@ -259,93 +243,3 @@ def equilibria_at(
     if not names:
         return found
     return found, slopes_of(flow, kernel, arguments, names, found.amplitudes, found.drift)
-
-
-def slopes_of(
-    flow: Flow,
-    kernel: Kernel,
-    arguments: Arguments,
-    names: Sequence[str],
-    amplitudes: NDArray[np.complex128],
-    drift: NDArray[np.float64],
-) -> dict[str, Slopes]:
-    """Derivatives of equilibria by every parameter, from the theorem on implicit functions.
-
-    The equations F(B, p) = i kρB are differentiated, and so are the phases that are fixed.
-
-    Parameters
-    ----------
-    flow, kernel, arguments
-        As for `jacobian_at`.
-    names : sequence of str
-        Of the arguments.
-    amplitudes : numpy.ndarray
-        Equilibria, shape (..., k, n), the leading axes those of the arguments.
-    drift : numpy.ndarray
-        Shape (..., k, symmetries).
-
-    Returns
-    -------
-    dict
-        Name → `Slopes`; without finite values where equilibria meet.
-    """
-    values, slopes = array_slopes(kernel, arguments, len(flow.terms))
-    c, dc = values[..., None, :], slopes[..., None, :]
-    with np.errstate(all="ignore"):
-        matrix = _bordered(flow, c, amplitudes, drift)
-        force = rates(flow, dc, amplitudes)  # (parameters, ..., k, n)
-        right = np.zeros((*force.shape[:-1], matrix.shape[-1]))
-        right[..., 0 : 2 * flow.n : 2] = -2.0 * force.real
-        right[..., 1 : 2 * flow.n : 2] = -2.0 * force.imag
-        inverse = _inverse(matrix)
-        moved = np.einsum("...ij,...j->...i", inverse, right)
-    speed = (moved[..., 0 : 2 * flow.n : 2] + 1j * moved[..., 1 : 2 * flow.n : 2]) / 2.0
-    return {name: Slopes(speed[i], moved[i, ..., 2 * flow.n :]) for i, name in enumerate(names)}
-
-
-def _inverse(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Inverses, NaN where there is none."""
-    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
-    unit = np.eye(matrices.shape[-1])
-    plain = np.where(finite[..., None, None], matrices, unit)
-    regular = np.asarray(finite & (np.linalg.slogdet(plain)[0] != 0.0))
-    found = np.linalg.inv(np.where(regular[..., None, None], plain, unit))
-    return np.where(regular[..., None, None], found, np.nan)
-
-
-def _bordered(
-    flow: Flow, c: NDArray[Any], b: NDArray[np.complex128], drift: NDArray[np.float64]
-) -> NDArray[np.float64]:
-    """The Jacobian by u_1, v_1, … and ρ_1, …, with a row for each phase that is fixed."""
-    n, g = flow.n, len(flow.symmetries)
-    inner = jacobian(flow, c, b, drift if g else None)
-    inner = np.where(_missing(b)[..., None, None], np.nan, inner)
-    if not g:
-        return inner
-    whole = np.zeros((*inner.shape[:-2], 2 * n + g, 2 * n + g))
-    whole[..., : 2 * n, : 2 * n] = inner
-    for a, k in enumerate(flow.symmetries):
-        direction = -2j * np.array(k) * b
-        whole[..., 0 : 2 * n : 2, 2 * n + a] = direction.real
-        whole[..., 1 : 2 * n : 2, 2 * n + a] = direction.imag
-    active = np.abs(b) > 0.0
-    flat, rows = whole.reshape(-1, 2 * n + g, 2 * n + g), active.reshape(-1, n)
-    for pattern in np.unique(rows, axis=0):
-        flat[(rows == pattern).all(axis=1), 2 * n :] = _phase_rows(flow, pattern)
-    return flat.reshape(whole.shape)
-
-
-def _phase_rows(flow: Flow, active: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Which phases are fixed: of the first amplitudes that the symmetries turn independently.
-
-    A combination of symmetries that does not move the point has the rate zero.
-    """
-    n, k = flow.n, np.array(flow.symmetries, dtype=np.float64) * active
-    pivots: list[int] = []
-    for j in range(n):
-        if np.linalg.matrix_rank(k[:, [*pivots, j]]) > len(pivots):
-            pivots.append(j)
-    found = np.zeros((len(k), 2 * n + len(k)))
-    found[range(len(pivots)), [2 * j + 1 for j in pivots]] = 1.0
-    found[len(pivots) :, 2 * n :] = np.linalg.svd(k.T)[2][len(pivots) :]
-    return found
