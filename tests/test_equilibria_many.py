@@ -23,6 +23,7 @@ from hypothesis import Phase, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import ConvexHull
 
+from mmsgen.runtime._bounds import least_count
 from mmsgen.runtime._certificates import certified
 from mmsgen.runtime._charts import chart, equations, unpack
 from mmsgen.runtime._flow import Flow, rates
@@ -351,3 +352,31 @@ def test_a_second_method_finds_nothing_new(seed: int) -> None:
         assert found.number[k] % 2 == 1
     # Random coefficients are far from folds.
     assert certified(flow, c, found).sum() == found.number.sum()
+
+
+# --- too many -------------------------------------------------------------------------------------
+
+
+def chain(n: int, forced: bool) -> Flow:
+    """Equal oscillators in a row, cubic springs, linear couplings between neighbours."""
+    terms = [(0, ((0,) * 3 * n))] if forced else []
+    for j in range(n):
+        one = np.eye(3 * n, dtype=int)
+        powers = [one[3 * k] for k in (j - 1, j, j + 1) if 0 <= k < n]
+        powers.append(2 * one[3 * j] + one[3 * j + 1])
+        terms += [(j, tuple(map(int, e))) for e in powers]
+    return Flow(n, tuple(sorted(terms)), () if forced else ((1,) * n,))
+
+
+@pytest.mark.parametrize("forced", [True, False])
+def test_a_lower_bound_for_the_number(forced: bool) -> None:
+    """The bound holds where paths count them; six amplitudes are refused without any path."""
+    flow = chain(2, forced)
+    (count,) = (n for active, n in generic_counts(flow).items() if active == (0, 1))
+    assert 0 < least_count(equilibrium_system(flow, (0, 1))) <= count
+    flow = chain(3, forced)
+    least = least_count(equilibrium_system(flow, (0, 1, 2)))
+    # One amplitude after the other: three of each that a force moves; of two free ones six.
+    assert least == (27 if forced else 18)
+    with pytest.raises(ValueError, match="complex equilibria"):
+        equilibria_of_many(chain(6, forced), np.ones(len(chain(6, forced).terms)))

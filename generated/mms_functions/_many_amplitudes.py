@@ -13,12 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._bounds import least_count
 from ._charts import chart, equations, normal, pack, polish, unpack
 from ._flow import Flow, spectrum
 from ._paths import newton, solve, track
 from ._planes import on_planes, solves
 from ._records import Equilibria
-from ._starts import generic_solutions
+from ._starts import MOST, generic_solutions, too_many
 from ._systems import System, equilibrium_system, patterns
 
 if TYPE_CHECKING:
@@ -81,7 +82,7 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     Raises
     ------
     ValueError
-        If generic coefficients have more than 600 equilibria; if at every point of the batch some
+        If generic coefficients have more than 400 equilibria; if at every point of the batch some
         amplitudes can have any value.
     """
     c = np.asarray(coefficients, dtype=np.complex128)
@@ -91,6 +92,7 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     with np.errstate(all="ignore"):
         for rows, own, columns in _groups(flow, flat, finite):
             usual = patterns(own)
+            _check_size(own, usual)
             if any(active and not chart(own, active).columns for active in usual):
                 loose += len(rows)
                 continue
@@ -106,6 +108,15 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     found.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
     rows, b, drift = (np.concatenate(x) for x in zip(*found, strict=True))
     return _arranged(flow, flat, shape, rows, b, drift)
+
+
+def _check_size(flow: Flow, usual: tuple[tuple[int, ...], ...]) -> None:
+    """Refuse what would take minutes, before any path is followed."""
+    for active in reversed(usual):
+        if len(active) > 2:
+            least = least_count(system := equilibrium_system(flow, active))
+            if least > MOST:
+                raise too_many(system.d, least)
 
 
 def _groups(

@@ -20,7 +20,7 @@ from ._paths import Terms, newton, track
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["distinct", "generic_solutions"]
+__all__ = ["MOST", "distinct", "generic_solutions", "too_many"]
 
 SEED = 20
 # Triangles of coefficients in a round, and rounds without a new solution after which there is
@@ -28,8 +28,10 @@ SEED = 20
 # random, all of them would leave it alone with the probability N^(-16).
 LOOPS = 16
 ROUNDS = 1
-MOST = 600
+MOST = 400
 """More solutions than that take minutes to find, and seconds to follow to each point."""
+TOGETHER = 4_000
+"""Paths of a round that are followed before what they brought is counted."""
 
 
 def distinct(z: NDArray[Any], known: NDArray[Any], distance: float = 1e-6) -> NDArray[Any]:
@@ -85,7 +87,7 @@ def generic_solutions(terms: Terms, d: int, logs: int) -> tuple[NDArray[Any], ND
     Raises
     ------
     ValueError
-        If there are more than 600.
+        If there are more than `MOST`.
     """
     random = np.random.default_rng(SEED)
     base, z = _seed(terms, d, random)
@@ -95,22 +97,40 @@ def generic_solutions(terms: Terms, d: int, logs: int) -> tuple[NDArray[Any], ND
         return base, np.zeros((d, 0), dtype=np.complex128)
     idle = 0
     while idle < ROUNDS:
-        count = z.shape[1]
+        known = z
         corners = [np.tile(base, (1, LOOPS)), *(_random(random, len(terms), LOOPS) for _ in "ab")]
-        points = np.tile(z, (1, LOOPS))
-        kept = np.arange(points.shape[1])
-        for k in range(3):
-            begin, end = (np.repeat(corners[(k + i) % 3], count, axis=1)[:, kept] for i in (0, 1))
-            paths = track(terms, begin, end, points, logs)
-            arrived = paths.left == 0.0
-            points, kept = paths.z[:, arrived], kept[arrived]
-        points, last, condition = newton(terms, np.repeat(base, len(kept), axis=1), points, logs, 3)
-        z = distinct(points[:, (last < 1e-10) & (condition < 1e12)], z)
-        idle = idle + 1 if z.shape[1] == count else 0
-        if z.shape[1] > MOST:
-            raise ValueError(
-                f"{d} unknown amplitudes and phases have more than {MOST} complex equilibria, too "
-                "many to list them all: reduce the slow flow by a symmetry, or follow single ones "
-                "from a motion in time"
-            )
+        step = max(1, TOGETHER // known.shape[1])
+        for k in range(0, LOOPS, step):
+            some = [corner[:, k : k + step] for corner in corners]
+            z = distinct(_carried(terms, known, some, logs), z)
+            if z.shape[1] > MOST:
+                raise too_many(d, z.shape[1])
+        idle = idle + 1 if z.shape[1] == known.shape[1] else 0
     return base, z
+
+
+def _carried(
+    terms: Terms, z: NDArray[Any], corners: list[NDArray[Any]], logs: int
+) -> NDArray[np.complex128]:
+    """Where each triangle of coefficients carries each solution."""
+    count = z.shape[1]
+    points = np.tile(z, (1, corners[0].shape[1]))
+    kept = np.arange(points.shape[1])
+    for k in range(3):
+        begin, end = (np.repeat(corners[(k + i) % 3], count, axis=1)[:, kept] for i in (0, 1))
+        paths = track(terms, begin, end, points, logs)
+        arrived = paths.left == 0.0
+        points, kept = paths.z[:, arrived], kept[arrived]
+    base = np.repeat(corners[0], count, axis=1)[:, kept]
+    points, last, condition = newton(terms, base, points, logs, 3)
+    return points[:, (last < 1e-10) & (condition < 1e12)]
+
+
+def too_many(unknowns: int, least: int) -> ValueError:
+    """The error for systems whose solutions cannot all be listed."""
+    return ValueError(
+        f"there are at least {least} complex equilibria, {unknowns} unknown amplitudes and phases "
+        f"altogether, and no more than {MOST} can be listed: put amplitudes that are equal or "
+        "stay zero together in a smaller model of them, as a symmetry allows, or follow single "
+        "motions, with orbits.find and orbits.follow"
+    )
