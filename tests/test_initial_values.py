@@ -271,4 +271,4 @@ def test_what_is_refused() -> None:
     with pytest.raises(MmsgenError, match="no value is given for kappa"):
         flow.beating({"omega": 2.0}, [1.0, 0.0])
     with pytest.raises(ExpansionError, match="nonlinear"):
-        duffing().expand(1).slow_flow.evolution({"omega": 1.0, "alpha": 0.1}, [1.0], 0.0)
+        duffing().expand(1).slow_flow.beating({"omega": 1.0, "alpha": 0.1}, [1.0])

@@ -21,7 +21,7 @@ from ._runtime import checked_amplitudes, evaluate_array, refuse_masked
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["Motion", "response_at"]
+__all__ = ["Motion", "multiples", "response_at"]
 
 Kernel = Callable[..., Any]
 
@@ -164,7 +164,7 @@ def _sum(
         out[..., j] += part.real
         sizes[order, ..., j] += np.abs(part)
         for derivative, slope in zip(derivatives, slopes, strict=True):
-            angle = slope[..., count:].real @ _multiples(exponents, harmonics)
+            angle = slope[..., count:].real @ multiples(exponents, harmonics)
             derivative[..., j] += (value * slope[..., m] + 1j * angle * times * part).real
     return out, sizes, derivatives
 
@@ -179,7 +179,7 @@ def _triples(harmonics: tuple[int, ...]) -> tuple[int, ...]:
     return tuple(x for h in harmonics for x in (max(h, 0), max(-h, 0), 0))
 
 
-def _multiples(exponents: tuple[int, ...], harmonics: tuple[int, ...]) -> NDArray[np.float64]:
+def multiples(exponents: tuple[int, ...], harmonics: tuple[int, ...]) -> NDArray[np.float64]:
     """The multiples of all frequencies in θ_m."""
     own = [r - s for r, s in zip(exponents[::3], exponents[1::3], strict=True)]
     return np.array([*own, *harmonics], dtype=np.float64)

@@ -15,6 +15,7 @@ from .linear_flow import LinearFlow, linear_flow
 from .numeric import compiled
 from .runtime._beating import Beating
 from .series import Series
+from .uniform_numbers import integrated
 
 if TYPE_CHECKING:
     from .amplitude_flow import AmplitudeFlow
@@ -222,10 +223,12 @@ class LinearAnswers:
     # -- from given initial amplitudes ---------------------------------------------------
 
     def evolution(self, values: Mapping[Any, Any], amplitudes: Any, times: Any) -> Any:
-        """Amplitudes B_j(t) of a linear slow flow from those at t = 0, in the autonomous frame.
+        """Amplitudes B_j(t) from those at t = 0, in the autonomous frame.
 
-        The matrix exponential: a closed form for blocks of one and two variables, scaling and
-        squaring for larger ones, without eigenvectors, so that double eigenvalues do no harm.
+        Of a linear slow flow by the matrix exponential: a closed form for blocks of one and two
+        variables, scaling and squaring for larger ones, without eigenvectors, so that double
+        eigenvalues do no harm. Of a nonlinear or driven one by integration in time (Dormand and
+        Prince, order 8, relative tolerance 1e-11), for one start and one set of values.
 
         Parameters
         ----------
@@ -245,10 +248,14 @@ class LinearAnswers:
         Raises
         ------
         ExpansionError
-            If the slow flow is not linear, or not autonomous in any frame.
+            If the slow flow is not autonomous in any frame.
         MmsgenError
-            As for `growth_rate`; if an amplitude or a time is not a finite number.
+            As for `growth_rate`; if an amplitude or a time is not a finite number; if the
+            amplitudes of a nonlinear slow flow grow beyond all bounds, or several starts or sets
+            of values are given for one.
         """
+        if not self.is_linear:
+            return integrated(self.table, self._with_detunings(values), amplitudes, times)
         return evolution(self.linear, self.table, self._with_detunings(values), amplitudes, times)
 
     def beating(self, values: Mapping[Any, Any], amplitudes: Any) -> Beating:

@@ -171,3 +171,7 @@ class Evaluator:
         if missing:
             raise MmsgenError(f"no value is given for {', '.join(missing)}")
         return [np.asarray(x) for x in self._function(*(table[p.name] for p in self.needed))]
+
+    def plain(self, arguments: Sequence[Any]) -> list[Any]:
+        """The values from those of `needed`, in its order, without any check."""
+        return self._function(*arguments)

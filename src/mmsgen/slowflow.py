@@ -24,6 +24,7 @@ from .cycle_answers import CycleAnswers
 from .errors import ExpansionError
 from .expressions import rational
 from .linear_answers import LinearAnswers
+from .motion_answers import MotionAnswers
 from .nonlinear_answers import NonlinearAnswers
 from .series import Series
 from .symbols import imaginary_part, modulus, phase, real_part
@@ -35,7 +36,7 @@ __all__ = ["SlowFlow", "slow_flow"]
 
 
 @dataclass(frozen=True)
-class SlowFlow(LinearAnswers, NonlinearAnswers, CycleAnswers):
+class SlowFlow(LinearAnswers, NonlinearAnswers, CycleAnswers, MotionAnswers):
     """The slow flow of a case.
 
     Attributes
