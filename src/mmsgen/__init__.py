@@ -47,6 +47,7 @@ if TYPE_CHECKING:
     from .emission import Emission, publish
     from .exact_response import orbit_near, orbits_along
     from .steady import Steady
+    from .time_integration import time_integration
 
 __all__ = [
     "Certificate",
@@ -84,6 +85,7 @@ __all__ = [
     "orbits",
     "orbits_along",
     "publish",
+    "time_integration",
 ]
 
 _LATER = {
@@ -95,6 +97,7 @@ _LATER = {
     "orbit_near": "exact_response",
     "orbits_along": "exact_response",
     "publish": "emission",
+    "time_integration": "time_integration",
 }
 """Name → the module that holds it."""
 
@@ -115,11 +118,11 @@ def __dir__() -> list[str]:
 
 
 class _Package(ModuleType):
-    """Python binds a loaded module to its name in the package: here `certify` is the function."""
+    """Python binds a loaded module to its name in the package: here these are functions."""
 
     def __setattr__(self, name: str, value: Any) -> None:
-        if name == "certify" and isinstance(value, ModuleType):
-            value = value.certify
+        if name in ("certify", "time_integration") and isinstance(value, ModuleType):
+            value = getattr(value, name)
         super().__setattr__(name, value)
 
 

@@ -18,6 +18,7 @@ import scipy  # loads its subpackages when they are first used
 import sympy as sp
 
 from .errors import CertificateError
+from .integration import RunAway, solution_at
 from .numeric import Evaluator
 from .series import Series
 
@@ -181,14 +182,9 @@ def exact_motion(
 ) -> Any:
     """States (2n, times) of the exact equations from a state at t = 0."""
     try:
-        solution = scipy.integrate.solve_ivp(
-            derivative, (0.0, times[-1]), start, "DOP853", times, rtol=RTOL, atol=ATOL * scale
-        )
-    except (ArithmeticError, ValueError) as error:  # as plain numbers say infinity and nan
+        return solution_at(derivative, start, times, RTOL, ATOL * scale).T
+    except RunAway as error:
         raise CertificateError(f"the exact equations cannot be integrated: {error}") from error
-    if not solution.success:
-        raise CertificateError(f"the exact equations cannot be integrated: {solution.message}")
-    return solution.y
 
 
 def slow_motion(module: Any, start: Any, times: Any, arguments: Mapping[str, float]) -> Any:
@@ -197,16 +193,8 @@ def slow_motion(module: Any, start: Any, times: Any, arguments: Mapping[str, flo
     def derivative(_: float, b: Any) -> Any:
         return module.slow_flow(b, **arguments)
 
-    scale = float(np.max(np.abs(start)))
-    solution = scipy.integrate.solve_ivp(
-        derivative,
-        (0.0, times[-1]),
-        np.asarray(start, dtype=complex),
-        "DOP853",
-        times,
-        rtol=RTOL,
-        atol=ATOL * scale,
-    )
-    if not solution.success:
-        raise CertificateError(f"the slow flow cannot be integrated: {solution.message}")
-    return solution.y
+    scale, own = float(np.max(np.abs(start))), np.asarray(start, dtype=complex)
+    try:
+        return solution_at(derivative, own, times, RTOL, ATOL * scale).T
+    except RunAway as error:
+        raise CertificateError(f"the slow flow cannot be integrated: {error}") from error

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import scipy  # loads its subpackages when they are first used
 
 from .errors import MmsgenError
+from .integration import RunAway, solution_at
 from .numeric import Evaluator
 from .runtime._evolution import checked_times
 from .runtime._flow import Flow, rates
@@ -142,28 +142,11 @@ def integrated(table: AmplitudeFlow, values: Mapping[str, Any], start: Any, time
             "a nonlinear slow flow is integrated from one start with one set of values: pass "
             f"amplitudes of the shape ({n},) and numbers, and call it for each of several"
         )
-    found = np.repeat(b[None], t.size, axis=0)
     scale = float(np.abs(b).max()) or 1.0
-    for way in (t.ravel() > 0.0, t.ravel() < 0.0):
-        if not way.any():
-            continue
-        own, order = np.unique(t.ravel()[way], return_inverse=True)
-        ahead = own if own[-1] > 0.0 else own[::-1]
-        with np.errstate(all="ignore"):
-            solution = scipy.integrate.solve_ivp(
-                lambda _, x: rates(table.flow, c, x),
-                (0.0, float(ahead[-1])),
-                b,
-                "DOP853",
-                ahead,
-                rtol=RTOL,
-                atol=ATOL * scale,
-            )
-        if not solution.success or not np.isfinite(solution.y).all():
-            raise MmsgenError(
-                f"the amplitudes cannot be followed to t = {float(ahead[-1]):g} s: they grow "
-                "beyond all bounds, or far too fast for a slow flow"
-            )
-        rows = solution.y.T if own[-1] > 0.0 else solution.y.T[::-1]
-        found[way] = rows[order]
-    return found.reshape(*t.shape, n)
+    try:
+        return solution_at(lambda _, x: rates(table.flow, c, x), b, t, RTOL, ATOL * scale)
+    except RunAway as error:
+        raise MmsgenError(
+            f"the amplitudes cannot be followed to t = {error.time:g} s: they grow beyond all "
+            "bounds, or far too fast for a slow flow"
+        ) from None
