@@ -86,7 +86,7 @@ def structure_of(flow: Flow, present: tuple[bool, ...]) -> Structure:
 # --- polynomials whose coefficients are arrays ----------------------------------------------------
 
 
-def added(a: Polynomial, b: Polynomial, sign: float = 1.0) -> Polynomial:
+def added(a: Polynomial, b: Polynomial, sign: int = 1) -> Polynomial:
     """a + sign·b."""
     out = dict(a)
     for e, c in b.items():
@@ -112,9 +112,9 @@ def _square(a: Polynomial) -> Polynomial:
     out: Polynomial = {}
     items = list(a.items())
     for n, (i, x) in enumerate(items):
-        out[2 * i] = out.get(2 * i, 0.0) + (x.real * x.real + x.imag * x.imag)
+        out[2 * i] = out.get(2 * i, 0) + (x.real * x.real + x.imag * x.imag)
         for j, y in items[n + 1 :]:
-            out[i + j] = out.get(i + j, 0.0) + 2.0 * (x.real * y.real + x.imag * y.imag)
+            out[i + j] = out.get(i + j, 0) + 2 * (x.real * y.real + x.imag * y.imag)
     return out
 
 
@@ -122,10 +122,10 @@ def resultant(f: list[Polynomial]) -> Polynomial:
     """The determinant of the Schur–Cohn form, real."""
     d = len(f) - 1
     if d == 1:
-        return added(_square(f[0]), _square(f[1]), -1.0)
+        return added(_square(f[0]), _square(f[1]), -1)
     if d == 2:
         x, y = _linear_remainder(f)
-        return added(multiplied(x, x), _square(y), -1.0)
+        return added(multiplied(x, x), _square(y), -1)
     form = [[_entry(f, j, k) for k in range(d)] for j in range(d)]
     minors: dict[tuple[int, ...], Polynomial] = {(k,): form[-1][k] for k in range(d)}
 
@@ -136,7 +136,7 @@ def resultant(f: list[Polynomial]) -> Polynomial:
             total: Polynomial = {}
             for n, k in enumerate(columns):
                 rest = minor(columns[:n] + columns[n + 1 :])
-                total = added(total, multiplied(form[row][k], rest), -1.0 if n % 2 else 1.0)
+                total = added(total, multiplied(form[row][k], rest), -1 if n % 2 else 1)
             minors[columns] = total
         return minors[columns]
 
@@ -145,15 +145,15 @@ def resultant(f: list[Polynomial]) -> Polynomial:
 
 def _linear_remainder(f: list[Polynomial]) -> tuple[Polynomial, Polynomial]:
     """X + Y w, what is left of f_0 + f_1 w + f_2 w² and its reciprocal when w² is eliminated."""
-    x = added(_square(f[0]), _square(f[2]), -1.0)
-    y = added(multiplied(_bar(f[0]), f[1]), multiplied(f[2], _bar(f[1])), -1.0)
+    x = added(_square(f[0]), _square(f[2]), -1)
+    y = added(multiplied(_bar(f[0]), f[1]), multiplied(f[2], _bar(f[1])), -1)
     return x, y
 
 
 def phase_quotient(f: list[Polynomial]) -> tuple[Polynomial, Polynomial]:
     """Numerator and real denominator of w on the relation, for d = 1 and 2."""
     above, below = f if len(f) == 2 else _linear_remainder(f)
-    minus: Polynomial = {e: -1.0 * c for e, c in above.items()}
+    minus: Polynomial = {e: -1 * c for e, c in above.items()}
     return multiplied(minus, _bar(below)), _square(below)
 
 
@@ -163,8 +163,48 @@ def _entry(f: list[Polynomial], j: int, k: int) -> Polynomial:
     out: Polynomial = {}
     for n in range(min(j, k) + 1):
         out = added(out, multiplied(f[j - n], _bar(f[k - n])))
-        out = added(out, multiplied(_bar(f[d - j + n]), f[d - k + n]), -1.0)
+        out = added(out, multiplied(_bar(f[d - j + n]), f[d - k + n]), -1)
     return out
+
+
+class _Gaussian:
+    """A Gaussian integer, with what a resultant asks of its coefficients."""
+
+    def __init__(self, real: int, imag: int) -> None:
+        self.real, self.imag = real, imag
+
+    def __add__(self, other: _Gaussian) -> _Gaussian:
+        return _Gaussian(self.real + other.real, self.imag + other.imag)
+
+    def __mul__(self, other: _Gaussian) -> _Gaussian:
+        x, y = self.real * other.real, self.imag * other.imag
+        return _Gaussian(x - y, self.real * other.imag + self.imag * other.real)
+
+    def __rmul__(self, factor: int) -> _Gaussian:
+        return _Gaussian(factor * self.real, factor * self.imag)
+
+    def conj(self) -> _Gaussian:
+        return _Gaussian(self.real, -self.imag)
+
+
+# The powers of 7 modulo this prime look as if they were drawn by lot.
+_PRIME = 2**61 - 1
+
+
+@lru_cache(maxsize=256)
+def _powers(structure: Structure) -> frozenset[int]:
+    """The powers of r that the resultant has at all.
+
+    Others cancel for any coefficients; in floating point rounding is left of them, which hides the
+    roots near zero, or invents some. Exact integers decide: a polynomial in the coefficients that
+    vanishes at numbers of a range so large that were chosen at random is zero, but for a chance of
+    its degree over the range (Schwartz, 1980; Zippel, 1979).
+    """
+    f: list[Polynomial] = [{} for _ in range(structure.degree + 1)]
+    for n, (_, k, power) in enumerate(structure.terms):
+        number = _Gaussian(pow(7, 20 * n + 31, _PRIME), pow(7, 20 * n + 41, _PRIME))
+        f[k][power] = f[k][power] + number if power in f[k] else number
+    return frozenset(e for e, x in resultant(f).items() if x)
 
 
 def relation(structure: Structure, c: NDArray[np.complex128]) -> Polynomial:
@@ -173,7 +213,8 @@ def relation(structure: Structure, c: NDArray[np.complex128]) -> Polynomial:
     for i, k, power in structure.terms:
         f[k][power] = f[k][power] + c[:, i] if power in f[k] else np.ascontiguousarray(c[:, i])
     if structure.degree:
-        return resultant(f)
+        powers = _powers(structure)
+        return {e: x for e, x in resultant(f).items() if e in powers}
     if structure.circle:
         return {e: x.real for e, x in f[0].items()}
     # One harmonic alone: real and imaginary part have to vanish together. The first that is not

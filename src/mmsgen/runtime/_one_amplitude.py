@@ -268,32 +268,43 @@ def _phases(
     row: NDArray[np.int64],
     r: NDArray[np.float64],
 ) -> tuple[NDArray[np.int64], NDArray[np.float64], NDArray[np.complex128]]:
-    """Candidates for r with those for w, near the unit circle."""
+    """Candidates for r with those for w, near the unit circle.
+
+    What vanishes there together with its reciprocal does so with what is left of both when their
+    highest powers are eliminated, down to a linear one (Schur, 1918).
+    """
     f, _, size = harmonics(structure, c[row], r)
-    if structure.degree == 1:
-        w = -f[0] / f[1]
-    elif structure.degree == 2:
-        x = np.abs(f[0]) ** 2 - np.abs(f[2]) ** 2
-        y = f[0].conj() * f[1] - f[2] * f[1].conj()
-        w = -x / y
-        # Both vanish where a pair of phases belongs to one r.
-        both = np.flatnonzero(np.abs(y) <= 1e-3 * (size[0] + size[2]) * size[1])
-        a, b, e = f[2][both], f[1][both], f[0][both]
-        root = np.sqrt(b * b - 4.0 * a * e)
-        root = np.where((b.conj() * root).real < 0.0, -root, root)
-        q = -0.5 * (b + root)
-        w = np.concatenate((w, q / a, e / q))
-        row, r = np.concatenate((row, row[both], row[both])), np.concatenate((r, r[both], r[both]))
-    else:
-        d = structure.degree
-        matrices = np.zeros((len(r), d, d), dtype=np.complex128)
-        matrices[:, 1:, :-1] = np.eye(d - 1)
-        matrices[:, :, -1] = -np.stack([x / f[d] for x in f[:d]], axis=-1)
-        usable = np.isfinite(matrices).all(axis=(-2, -1))
-        row, r = np.repeat(row[usable], d), np.repeat(r[usable], d)
-        w = np.linalg.eigvals(matrices[usable]).ravel()
+    left, bound = f, size
+    for d in range(structure.degree, 1, -1):
+        first, last = left[0].conj(), left[d]
+        left = [first * left[k] - last * left[d - k].conj() for k in range(d)]
+        bound = [bound[0] * bound[k] + bound[d] * bound[d - k] for k in range(d)]
+    w = -left[0] / left[1]
+    if structure.degree > 1:
+        # Both vanish where several phases belong to one r.
+        many = np.flatnonzero(~(np.abs(left[1]) > 1e-3 * bound[1]))
+        more = _all_phases([x[many] for x in f])
+        w = np.concatenate((w, *more))
+        row = np.concatenate((row, *(row[many] for _ in more)))
+        r = np.concatenate((r, *(r[many] for _ in more)))
     near = np.abs(np.abs(w) - 1.0) < 0.1  # false for NaN
     return row[near], r[near], w[near]
+
+
+def _all_phases(f: list[NDArray[np.complex128]]) -> list[NDArray[np.complex128]]:
+    """All roots w of f_0 + f_1 w + … + f_d w^d."""
+    d = len(f) - 1
+    if d == 2:
+        root = np.sqrt(f[1] * f[1] - 4.0 * f[2] * f[0])
+        root = np.where((f[1].conj() * root).real < 0.0, -root, root)
+        q = -0.5 * (f[1] + root)
+        return [q / f[2], f[0] / q]
+    matrices = np.zeros((len(f[0]), d, d), dtype=np.complex128)
+    matrices[:, 1:, :-1] = np.eye(d - 1)
+    matrices[:, :, -1] = -np.stack([x / f[d] for x in f[:d]], axis=-1)
+    usable = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
+    roots = np.linalg.eigvals(np.where(usable[:, None, None], matrices, 0.0))
+    return list(np.where(usable[:, None], roots, np.nan).T)
 
 
 def _largest(trace: Any, determinant: Any) -> Any:
