@@ -62,3 +62,15 @@ def test_a_double_root_is_there_once() -> None:
     # A distance δ from a fold leaves a growth rate of √(δ r), r the rates of the slow flow, some
     # 0.1/s. Folds are located to 1e-10 of the range, 0.7/s: 2.6e-6.
     assert (np.nanmin(np.abs(found.growth), axis=-1) < 5e-6).all()
+
+
+def test_what_is_proved_of_the_equilibria() -> None:
+    values = {**VALUES, "sigma": np.array([-0.1, 0.05, 0.4])}
+    found, flow = forced().equilibria(values), forced()
+    proved = flow.certified(values, found)
+    assert found.number.max() == 3
+    assert np.array_equal(proved, np.isfinite(found.growth))
+    wrong = found._replace(amplitudes=1.1 * found.amplitudes)  # η is a tenth, proofs need less
+    assert not flow.certified(values, wrong).any()
+    with pytest.raises(mg.MmsgenError, match=r"\(3, 3, 1\) do not belong to these values"):
+        flow.certified(VALUES, found)

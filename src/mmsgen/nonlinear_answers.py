@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, cast
 
 import sympy as sp
 
-from .equilibria import equilibria
+from .equilibria import certified_equilibria, equilibria
 from .frequency_response import frequency_response
 from .response_relation import OneAmplitude, one_amplitude
 from .runtime._records import Equilibria, Response
@@ -68,6 +68,37 @@ class NonlinearAnswers:
         listed: families beside them, as the normal modes of undamped free oscillators, are not.
         """
         return equilibria(self.table, self._with_detunings(values))
+
+    def certified(self, values: Mapping[Any, Any], found: Equilibria) -> Any:
+        """Which equilibria are proved: there is exactly one close by, by Kantorovich's theorem.
+
+        Rounding is bounded, so that it is part of the proof. At folds and other bifurcations, where
+        the Jacobian is singular, and close to them nothing can be proved.
+
+        Parameters
+        ----------
+        values : mapping
+            As for `equilibria`.
+        found : Equilibria
+            At these values.
+
+        Returns
+        -------
+        numpy.ndarray of bool
+            Shape (..., k); False where there is no equilibrium.
+
+        Raises
+        ------
+        ExpansionError
+            If no frame makes the slow flow autonomous.
+        MmsgenError
+            As for `growth_rate`; if the equilibria are of another slow flow or of other shapes.
+
+        References
+        ----------
+        L. V. Kantorovich, *Functional analysis and applied mathematics* (1948), on Newton's method.
+        """
+        return certified_equilibria(self.table, self._with_detunings(values), found)
 
     def frequency_response(self, values: Mapping[Any, Any], over: Any = None) -> Response:
         """All equilibria along one parameter: branches through folds, stability, bifurcations.
