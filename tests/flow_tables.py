@@ -1,4 +1,4 @@
-"""Slow flows of two coordinates at order 1, as tables of terms written down by hand."""
+"""Slow flows of one and two coordinates, as tables of terms written down by hand."""
 
 from __future__ import annotations
 
@@ -7,6 +7,26 @@ from collections.abc import Sequence
 import numpy as np
 
 from mmsgen.runtime._flow import Flow
+
+#: of one amplitude: the powers of B, B̄ and |B| in each term
+SHAPES = {
+    "primary": [(0, 0, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0), (2, 1, 0), (3, 2, 0)],
+    "order three": [(0, 0, 0), (0, 1, 0), (1, 0, 0), (2, 0, 0), (2, 1, 0), (3, 2, 0)],
+    "three orders": [
+        *((0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0)),
+        *((2, 1, 0), (2, 2, 0), (3, 1, 0), (3, 2, 0), (4, 3, 0)),
+    ],
+    "parametric": [(0, 1, 0), (1, 0, 0), (1, 2, 0), (2, 1, 0), (3, 0, 0), (3, 2, 0)],
+    "subharmonic": [(0, 2, 0), (1, 0, 0), (2, 1, 0), (3, 2, 0)],
+    "not smooth": [(0, 0, 0), (1, 0, 0), (1, 0, 1), (2, 1, 0)],
+    "two harmonics": [(0, 1, 0), (0, 4, 0), (1, 0, 0), (2, 1, 0)],
+}
+
+
+def shaped(name: str) -> Flow:
+    """The flow of one of `SHAPES`."""
+    return Flow(1, tuple((0, e) for e in sorted(SHAPES[name])))
+
 
 # Of each term its equation, and the exponents of B_1, B̄_1, B_2, B̄_2.
 DAMPED = [(0, 1, 0, 0, 0), (1, 0, 0, 1, 0)]

@@ -5,17 +5,15 @@ Published results: Nayfeh and Mook, Nonlinear Oscillations (1979), chapters 4 an
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 import pytest
 import sympy as sp
+from flow_tables import SHAPES, shaped
 from hypothesis import given
 from hypothesis import strategies as st
 from systems import Omega, alpha, d, duffing, equations, f, k, mu, omega, t, van_der_pol, x
 
 from mmsgen.errors import MmsgenError
-from mmsgen.runtime._elimination import relation, resultant, structure_of
 from mmsgen.runtime._flow import Flow, rates, spectrum, wirtinger
 from mmsgen.runtime._one_amplitude import equilibria_of_one
 from mmsgen.runtime._records import Equilibria
@@ -119,23 +117,6 @@ def test_limit_cycle_of_van_der_pol() -> None:
 
 # --- completeness ---------------------------------------------------------------------------------
 
-SHAPES = {
-    "primary": [(0, 0, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0), (2, 1, 0), (3, 2, 0)],
-    "order three": [(0, 0, 0), (0, 1, 0), (1, 0, 0), (2, 0, 0), (2, 1, 0), (3, 2, 0)],
-    "three orders": [
-        *((0, 0, 0), (0, 1, 0), (1, 0, 0), (1, 1, 0), (2, 0, 0)),
-        *((2, 1, 0), (2, 2, 0), (3, 1, 0), (3, 2, 0), (4, 3, 0)),
-    ],
-    "parametric": [(0, 1, 0), (1, 0, 0), (1, 2, 0), (2, 1, 0), (3, 0, 0), (3, 2, 0)],
-    "subharmonic": [(0, 2, 0), (1, 0, 0), (2, 1, 0), (3, 2, 0)],
-    "not smooth": [(0, 0, 0), (1, 0, 0), (1, 0, 1), (2, 1, 0)],
-    "two harmonics": [(0, 1, 0), (0, 4, 0), (1, 0, 0), (2, 1, 0)],
-}
-
-
-def shaped(name: str) -> Flow:
-    return Flow(1, tuple((0, e) for e in sorted(SHAPES[name])))
-
 
 def newton(flow: Flow, c: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Solutions that Newton's method finds from the given points, with the slow flow as it is."""
@@ -173,23 +154,6 @@ def test_newton_from_anywhere_finds_nothing_new(name: str, seed: int, conservati
         # The square root of a rounding, where two eigenvalues nearly coincide.
         scale = np.abs(wirtinger(flow, c, [b])).sum()
         assert growth == pytest.approx(spectrum(flow, c, [b])[0].real, abs=1e-7 * scale)
-
-
-@pytest.mark.parametrize("name", ["order three", "three orders"])
-def test_powers_that_cancel_are_left_out_of_the_relation(name: str) -> None:
-    """Of small Gaussian integers no rounding is left: what is not zero for any of them is there."""
-    flow, random = shaped(name), np.random.default_rng(3)
-    structure = structure_of(flow, (True,) * len(flow.terms))
-    real, imag = random.integers(-2, 3, (2, 50, len(flow.terms)))
-    c = real + 1j * imag
-    exact = relation(structure, c)
-    assert {e for e, x in exact.items() if x.any()} == set(exact)
-    f: list[Any] = [{} for _ in range(structure.degree + 1)]
-    for i, h, power in structure.terms:
-        f[h][power] = f[h].get(power, 0) + c[:, i]
-    whole = resultant(f)
-    assert {e for e, x in whole.items() if x.any()} == set(exact)
-    assert set(whole) > set(exact)
 
 
 # --- folds and degenerate points ------------------------------------------------------------------
