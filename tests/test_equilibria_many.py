@@ -289,13 +289,6 @@ def test_a_force_that_vanishes() -> None:
     assert found.growth[1, 0] == pytest.approx(-0.02, abs=1e-15)  # exact but for a rounding
 
 
-def test_families_are_left_out() -> None:
-    """Undamped free oscillators have curves of equilibria beside the one at rest."""
-    flow = FLOWS["1:2 free"]
-    found = equilibria_of_many(flow, [0.1j, 0.2j, -0.5j, -0.25j])
-    assert found.amplitudes.tolist() == [[0, 0]]
-
-
 # --- none is missing ------------------------------------------------------------------------------
 
 

@@ -246,7 +246,7 @@ def test_a_constant_phase_of_the_force_is_turned_away() -> None:
 def test_refused() -> None:
     with pytest.raises(ExpansionError, match="fill a curve"):
         duffing().expand(1).slow_flow.response_relation()
-    with pytest.raises(ExpansionError, match="one amplitude"):
+    with pytest.raises(ExpansionError, match="needs values and an amplitude"):
         coupled_mathieu().expand(1, {Omega: omega_1 + omega_2}).slow_flow.backbone()
     two = [DUFFING - k * sp.cos(Omega * t) - beta * sp.cos(Omega * t / 3 + theta)]
     flow = equations(two, [x]).scale({alpha: 1, mu: 1, k: 1}).expand(1, {Omega: omega}).slow_flow

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "backbone_at",
+    "checked_amplitude",
     "drift_of",
     "equilibria_at",
     "jacobian_at",
@@ -152,19 +153,33 @@ def backbone_at(
     ValueError
         If the amplitude is not a finite real number, or negative, or the shapes do not broadcast.
     """
+    a = checked_amplitude(amplitude, [x.shape for x in arguments])
+    return real_at(evaluate, kernel, [a, *arguments], names)
+
+
+def checked_amplitude(
+    amplitude: ArrayLike, shapes: Sequence[tuple[int, ...]]
+) -> NDArray[np.float64]:
+    """An amplitude as an array.
+
+    Raises
+    ------
+    ValueError
+        If it is not a finite real number, or negative, or its shape does not broadcast with others.
+    """
     refuse_masked("the amplitude", amplitude)
     a = np.asarray(amplitude)
     if a.dtype.kind not in "iuf" or not np.isfinite(a).all() or (a < 0.0).any():
         raise ValueError(f"the amplitude must be finite and not negative, got {amplitude!r}")
     a = a.astype(np.float64, copy=False)
     try:
-        np.broadcast_shapes(a.shape, *(x.shape for x in arguments))
+        np.broadcast_shapes(a.shape, *shapes)
     except ValueError:
-        shapes = ", ".join(str(x.shape) for x in arguments)
+        others = ", ".join(map(str, shapes))
         raise ValueError(
-            f"shapes that do not broadcast together: the amplitude {a.shape}, parameters {shapes}"
+            f"shapes that do not broadcast together: the amplitude {a.shape}, parameters {others}"
         ) from None
-    return real_at(evaluate, kernel, [a, *arguments], names)
+    return a
 
 
 def response_along(

@@ -15,7 +15,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Bifurcation", "Branch", "Equilibria", "Response"]
+__all__ = ["Backbone", "Bifurcation", "Branch", "Equilibria", "Response"]
 
 
 class Equilibria(NamedTuple):
@@ -51,6 +51,47 @@ class Equilibria(NamedTuple):
     @property
     def number(self) -> NDArray[np.int64]:
         """How many equilibria each point has."""
+        return np.isfinite(self.amplitudes).all(axis=-1).sum(axis=-1)
+
+
+class Backbone(NamedTuple):
+    """Free motions without damping in which one amplitude is given.
+
+    Attributes
+    ----------
+    amplitudes : numpy.ndarray
+        Complex B_j, shape (..., k, n): the k motions of a point in the order of `Equilibria`, NaN
+        after the last one.
+    shift : numpy.ndarray
+        Shape (..., k, n), rad/s: by how much the frequency of each coordinate is off the natural
+        one, at the exact resonance. NaN where an amplitude is zero.
+    detuning : numpy.ndarray
+        Shape (..., k), rad/s: the detuning of a force that acts at that frequency, where the
+        backbone is in a response over this detuning. NaN where the slow flow has no such force.
+    growth : numpy.ndarray
+        Shape (..., k): the largest real part of the Jacobian's eigenvalues, 1/s, without the two
+        zeros that the phase and the amplitude of a free motion have. Zero where disturbances
+        neither grow nor die out.
+    """
+
+    amplitudes: NDArray[np.complex128]
+    shift: NDArray[np.float64]
+    detuning: NDArray[np.float64]
+    growth: NDArray[np.float64]
+
+    @property
+    def modulus(self) -> NDArray[np.float64]:
+        """Real amplitudes a_j = 2|B_j|, shape (..., k, n)."""
+        return 2.0 * np.abs(self.amplitudes)
+
+    @property
+    def stable(self) -> NDArray[np.bool_]:
+        """Where disturbances do not grow, shape (..., k); False where there is no motion."""
+        return self.growth <= 0.0
+
+    @property
+    def number(self) -> NDArray[np.int64]:
+        """How many motions each point has."""
         return np.isfinite(self.amplitudes).all(axis=-1).sum(axis=-1)
 
 

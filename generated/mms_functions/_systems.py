@@ -10,13 +10,16 @@ from __future__ import annotations
 
 from functools import lru_cache
 from itertools import combinations
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ._flow import Flow
 
-__all__ = ["System", "equilibrium_system", "gauges", "moving", "patterns"]
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+__all__ = ["System", "equilibrium_system", "gauges", "moving", "patterns", "scaled"]
 
 
 def patterns(flow: Flow) -> tuple[tuple[int, ...], ...]:
@@ -193,3 +196,47 @@ def _powers(
             powers[barred] = s + half
         weight.append(r + s + t)
     return powers, weight
+
+
+def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.float64]]:
+    """Coefficients of the system near one, and the scales of its unknowns that make them so.
+
+    Parameters
+    ----------
+    system : System
+    flat : numpy.ndarray
+        Coefficients of the flow, shape (K, terms).
+
+    Returns
+    -------
+    target : numpy.ndarray
+        Shape (terms, K).
+    scales : numpy.ndarray
+        Of the active amplitudes, then of the drifts, shape (active + drifts, K).
+    """
+    source, factor = np.array(system.source), np.array(system.factor, dtype=np.complex128)
+    raw = np.where(source[:, None] >= 0, flat.T[source], 1.0)
+    raw = np.where(np.array(system.conjugate)[:, None], raw.conj(), raw) * factor[:, None]
+    rows, weights = np.array([r for r, _ in system.terms]), np.array(system.weights, dtype=float)
+    p, unknowns = len(system.active), weights.shape[1]
+    own = np.flatnonzero((rows < 2 * p) & (rows % 2 == 0))
+    design = np.concatenate((weights[own], (rows[own, None] // 2 == np.arange(p))), axis=1)
+    with np.errstate(divide="ignore"):
+        logs = np.log(np.abs(raw[own]))
+    counted = np.isfinite(logs).astype(float)
+    logs = np.where(counted > 0.0, logs, 0.0)
+    answer = np.zeros((unknowns + p, flat.shape[0]))
+    for _ in range(2):
+        # Least squares; the small diagonal decides what no coefficient determines.
+        normal_matrix = np.einsum("ti,tk,tj->kij", design, counted, design)
+        normal_matrix += 1e-6 * np.eye(unknowns + p)
+        right = -np.einsum("ti,tk->ki", design, counted * logs)
+        answer = np.linalg.solve(normal_matrix, right[..., None])[..., 0].T
+        size = logs + design @ answer
+        largest = np.full((p, flat.shape[0]), -np.inf)
+        np.maximum.at(largest, rows[own] // 2, np.where(counted > 0.0, size, -np.inf))
+        counted = counted * (size > largest[rows[own] // 2] + np.log(1e-4))
+    powers = np.where(rows[:, None] < 2 * p, weights @ answer[:unknowns], 0.0)
+    level = answer[unknowns + np.minimum(rows // 2, p - 1)]
+    powers = powers + np.where(rows[:, None] < 2 * p, level, 0.0)
+    return raw * np.exp(powers), np.exp(answer[:unknowns])

@@ -21,7 +21,7 @@ from .runtime._flow import Flow
 if TYPE_CHECKING:
     from .slowflow import SlowFlow
 
-__all__ = ["AmplitudeFlow", "amplitude_flow"]
+__all__ = ["AmplitudeFlow", "amplitude_flow", "symmetries"]
 
 
 @dataclass(frozen=True)
@@ -82,10 +82,10 @@ def amplitude_flow(slow: SlowFlow) -> AmplitudeFlow:
             table.setdefault((j, exponents), []).append(value)
     terms = tuple(sorted(table))
     coefficients = tuple(sp.Add(*table[term]) for term in terms)
-    return AmplitudeFlow(Flow(n, terms, _symmetries(n, terms)), coefficients, case.parameters)
+    return AmplitudeFlow(Flow(n, terms, symmetries(n, terms)), coefficients, case.parameters)
 
 
-def _symmetries(
+def symmetries(
     n: int, terms: tuple[tuple[int, tuple[int, ...]], ...]
 ) -> tuple[tuple[int, ...], ...]:
     """Independent integer vectors k with Σ k_l (r_l − s_l) = k_j for every term of equation j."""

@@ -34,8 +34,8 @@ def equilibria(table: AmplitudeFlow, values: Mapping[str, Any]) -> Equilibria:
     Raises
     ------
     MmsgenError
-        If a value is missing; if the equilibria of one amplitude fill a curve, as those of an
-        undamped free oscillator do; if some of several amplitudes can have any value.
+        If a value is missing; if equilibria fill curves, as those of undamped free oscillators do;
+        if some of several amplitudes can have any value.
     """
     solver = equilibria_of_one if table.flow.n == 1 else equilibria_of_many
     try:

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any, cast, overload
 
 import sympy as sp
 
 from .equilibria import certified_equilibria, equilibria
+from .errors import ExpansionError, MmsgenError
+from .free_motion import FreePart, free_part, normal_modes
 from .frequency_response import frequency_response
 from .response_relation import OneAmplitude, one_amplitude
-from .runtime._records import Equilibria, Response
+from .runtime._records import Backbone, Equilibria, Response
 
 if TYPE_CHECKING:
     from .amplitude_flow import AmplitudeFlow
@@ -51,21 +53,16 @@ class NonlinearAnswers:
             ``stable``; NaN after the last equilibrium of a point. Circles of equilibria, of one
             amplitude also those that are there at these numbers only, as without force and
             damping, are listed by one point each, in increasing order of |B|; a point where
-            equilibria fill a curve for another reason, or all the plane, has none but NaN.
+            equilibria fill curves for another reason, or all the plane, has none but NaN.
 
         Raises
         ------
         ExpansionError
             If no frame makes the slow flow autonomous.
         MmsgenError
-            As for `growth_rate`; or if the equilibria of one amplitude fill a curve, as those of
-            an undamped free oscillator do, for which `backbone` is the answer; or if all terms of
-            some amplitudes vanish. At a few points of many NaN is the answer there.
-
-        Notes
-        -----
-        With two and more amplitudes isolated equilibria and isolated circles of them alone are
-        listed: families beside them, as the normal modes of undamped free oscillators, are not.
+            As for `growth_rate`; or if equilibria fill curves, as those of undamped free
+            oscillators do, for which `backbone` is the answer; or if all terms of some amplitudes
+            vanish. At a few points of many NaN is the answer there.
         """
         return equilibria(self.table, self._with_detunings(values))
 
@@ -154,24 +151,73 @@ class NonlinearAnswers:
         """
         return self._one_amplitude.relation
 
-    def backbone(self) -> dict[sp.Symbol, sp.Expr]:
-        """The backbone curve of one amplitude.
+    @overload
+    def backbone(self) -> dict[sp.Symbol, sp.Expr]: ...
 
-        It is where the phase stands still by the terms alone that do not depend on it, those of
-        resonant forces left out.
+    @overload
+    def backbone(
+        self, values: Mapping[Any, Any], amplitude: Any, of: sp.Expr | None = None
+    ) -> Backbone: ...
+
+    def backbone(
+        self, values: Mapping[Any, Any] | None = None, amplitude: Any = None, of: Any = None
+    ) -> dict[sp.Symbol, sp.Expr] | Backbone:
+        """The backbone curve of one amplitude, or the free motions of several at numbers.
+
+        The curve is where the phase stands still by the terms alone that do not depend on it, those
+        of resonant forces left out. With several amplitudes it consists of the normal modes: the
+        periodic motions that are left without forces and without damping, families of which the
+        amplitude of one coordinate picks single ones. They are as complete as `equilibria`.
+
+        Parameters
+        ----------
+        values : mapping, optional
+            As for `growth_rate`, without the detunings of forces; arrays broadcast.
+        amplitude : array_like, optional
+            a of one coordinate, not negative.
+        of : sympy.Expr, optional
+            That coordinate; by default the only one.
 
         Returns
         -------
         dict
-            {detuning: expression in a}; for a free oscillator {γ: dγ/dt as an expression in a}, the
-            shift of its frequency.
+            Without values, for one amplitude: {detuning: expression in a}; for a free oscillator
+            {γ: dγ/dt as an expression in a}, the shift of its frequency.
+        Backbone
+            With values: ``amplitudes`` (complex, shape (..., k, n)), ``shift`` of the frequency of
+            each coordinate, ``detuning`` of a force at that frequency, ``growth``, ``modulus`` and
+            ``stable``; NaN after the last motion of a point, and where the amplitude is zero.
+            Motions in which coordinates swing at frequencies of their own, without a resonance
+            between them, are left out.
 
         Raises
         ------
         ExpansionError
-            As for `response_relation`; or if the detuning does not follow from a linear equation.
+            As for `response_relation`; or if the detuning does not follow from a linear equation;
+            or if coefficients of free motions depend on the detuning of a force.
+        MmsgenError
+            If a value is missing; if `of` is no coordinate; if energy is not conserved without
+            the damping of single amplitudes, as where damping couples phases.
         """
-        return dict(self._one_amplitude.backbone)
+        coordinates = cast("SlowFlow", self).case.coordinates
+        if values is None and len(coordinates) > 1:
+            raise ExpansionError(
+                "several amplitudes have no single backbone curve; .backbone needs values and an "
+                "amplitude, and then lists all free motions in which one coordinate has that"
+            )
+        if values is None:
+            return dict(self._one_amplitude.backbone)
+        if of is None and len(coordinates) == 1:
+            (of,) = coordinates
+        if of not in coordinates:
+            names = ", ".join(map(str, coordinates))
+            raise MmsgenError(f"of is the coordinate whose amplitude is given, one of {names}")
+        table = self._with_detunings(values)
+        return normal_modes(self._free, table, amplitude, coordinates.index(of))
+
+    @cached_property
+    def _free(self) -> FreePart:
+        return free_part(cast("SlowFlow", self))
 
     def bifurcation_equations(self) -> dict[str, tuple[sp.Expr, ...]]:
         """Equations that hold where equilibria of one amplitude bifurcate.

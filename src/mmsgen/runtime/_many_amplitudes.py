@@ -9,29 +9,33 @@ continuation", Appl. Math. Comput. 29, 1989). Real are those with B̄ = conj(B).
 
 from __future__ import annotations
 
+from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._bounds import least_count
 from ._charts import chart, equations, normal, pack, polish, unpack
+from ._families import EXACT, backwards, conserved, selecting
 from ._flow import Flow, spectrum
 from ._paths import newton, solve, track
 from ._planes import on_planes, solves
 from ._records import Equilibria
 from ._starts import MOST, generic_solutions, too_many
-from ._systems import System, equilibrium_system, patterns
+from ._systems import System, equilibrium_system, patterns, scaled
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from numpy.typing import NDArray
 
-__all__ = ["equilibria_of_many", "generic_counts"]
+__all__ = ["arranged", "equilibria_of_many", "generic_counts", "with_active"]
 
 # Paths that are followed together.
 BLOCK = 12_000
 EPS = 2.0**-52
+# Amplitudes, over their scales, at which families of equilibria are looked for.
+LEVELS = (1.0, 0.1, 10.0)
 # What is left of the way of a path that ends in a singular point or at infinity.
 LOST = 1e-3
 # An unknown that is smaller, over its scale, may vanish at the end of its path.
@@ -73,22 +77,22 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     -------
     Equilibria
         Complete with probability one: every equilibrium that is isolated among the complex
-        solutions, circles along symmetries counted as one point. Equilibria that fill curves or
-        surfaces beyond that, as the normal modes of undamped free oscillators do, are left out.
-        Everything is NaN where a coefficient is not finite, and where all terms vanish for some
-        amplitudes, so that these can have any value. `certified` tells which of them are
-        proved to be equilibria, one each.
+        solutions, circles along symmetries counted as one point. Everything is NaN where a
+        coefficient is not finite, where all terms vanish for some amplitudes, so that these can
+        have any value, and where equilibria fill curves since a sum of squares is conserved, as
+        those of undamped free oscillators do: `modes_of` has them. `certified` tells which of them
+        are proved to be equilibria, one each.
 
     Raises
     ------
     ValueError
         If generic coefficients have more than 400 equilibria; if at every point of the batch some
-        amplitudes can have any value.
+        amplitudes can have any value, or equilibria fill curves.
     """
     c = np.asarray(coefficients, dtype=np.complex128)
     shape, flat = c.shape[:-1], c.reshape(-1, c.shape[-1])
     finite = np.flatnonzero(np.isfinite(flat).all(axis=-1))
-    found, loose = [], 0
+    found, loose, curves = [], 0, 0
     with np.errstate(all="ignore"):
         for rows, own, columns in _groups(flow, flat, finite):
             usual = patterns(own)
@@ -96,18 +100,54 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
             if any(active and not chart(own, active).columns for active in usual):
                 loose += len(rows)
                 continue
+            filled = _families(own, usual, flat[rows][:, columns])
+            curves, rows = curves + int(filled.sum()), rows[~filled]
             for active in usual:
-                found.append(_with_active(own, active, flat[:, columns], rows))
-    if loose and loose == len(flat):
-        raise ValueError(
-            "the equilibria of this slow flow are not isolated: all terms that move some of the "
-            "amplitudes vanish, and these can have any value; detuning, damping or forcing is "
-            "missing"
-        )
+                found.append(with_active(own, active, flat[:, columns], rows))
+    if len(flat) and loose + curves == len(flat):
+        raise ValueError(_ANY if loose else _CURVES)
     g = len(flow.symmetries)
     found.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
     rows, b, drift = (np.concatenate(x) for x in zip(*found, strict=True))
-    return _arranged(flow, flat, shape, rows, b, drift)
+    return arranged(flow, flat, shape, rows, b, drift)
+
+
+_ANY = (
+    "the equilibria of this slow flow are not isolated: all terms that move some of the amplitudes "
+    "vanish, and these can have any value; detuning, damping or forcing is missing"
+)
+_CURVES = (
+    "the equilibria of this slow flow fill curves: nothing damps or forces some of its amplitudes, "
+    "which can have any value; backbone lists the motions in which one amplitude is given, and "
+    "damping of all of them leaves those that are isolated"
+)
+
+
+def _families(flow: Flow, usual: tuple[tuple[int, ...], ...], c: NDArray[Any]) -> NDArray[np.bool_]:
+    """Where equilibria fill curves since a sum of squares is conserved, shape (K,)."""
+    filled = np.zeros(len(c), dtype=bool)
+    for active in usual:
+        if not active:
+            continue
+        weights = conserved(flow, active, c)
+        singular = np.isfinite(weights[:, 0]) | backwards(flow, active, c)
+        rows = np.flatnonzero(singular & ~filled)
+        if len(active) == 1:
+            filled[rows] = True
+        if len(active) == 1 or not len(rows):
+            continue
+        size = scaled(equilibrium_system(flow, active), c[rows])[1][: len(active)].T
+        best = np.abs(np.nan_to_num(weights[rows]) * size**2).argmax(axis=1)
+        # A sum of several signs has curves only from certain amplitudes on, or up to them.
+        for level, j in product(LEVELS, np.unique(best)):
+            own = np.flatnonzero((best == j) & ~filled[rows])
+            square = (level * size[own, j]) ** 2
+            k = active[j]
+            asking, asked = selecting(flow, c[rows[own]], k, square, (k,))
+            there, b, _ = with_active(asking, active, asked, np.arange(len(own)))
+            there = there[np.abs(np.abs(b[:, k]) ** 2 - square[there]) < EXACT * square[there]]
+            filled[rows[own[there]]] = True
+    return filled
 
 
 def _check_size(flow: Flow, usual: tuple[tuple[int, ...], ...]) -> None:
@@ -140,7 +180,7 @@ def _groups(
         yield finite[np.array(same)[index.ravel()]], choice[0], list(choice[1])
 
 
-def _with_active(
+def with_active(
     flow: Flow, active: tuple[int, ...], flat: NDArray[Any], finite: NDArray[np.int64]
 ) -> tuple[NDArray[np.int64], NDArray[Any], NDArray[np.float64]]:
     """Equilibria with given amplitudes other than zero: their points, amplitudes and drifts."""
@@ -203,50 +243,6 @@ def _in_chart(place: Any, b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any
     if not place.pivots:
         return b, rate
     return normal(place, b), rate @ np.array(place.parts)[list(place.drifts)]
-
-
-def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.float64]]:
-    """Coefficients of the system near one, and the scales of its unknowns that make them so.
-
-    Parameters
-    ----------
-    system : System
-    flat : numpy.ndarray
-        Coefficients of the flow, shape (K, terms).
-
-    Returns
-    -------
-    target : numpy.ndarray
-        Shape (terms, K).
-    scales : numpy.ndarray
-        Of the active amplitudes, then of the drifts, shape (active + drifts, K).
-    """
-    source, factor = np.array(system.source), np.array(system.factor, dtype=np.complex128)
-    raw = np.where(source[:, None] >= 0, flat.T[source], 1.0)
-    raw = np.where(np.array(system.conjugate)[:, None], raw.conj(), raw) * factor[:, None]
-    rows, weights = np.array([r for r, _ in system.terms]), np.array(system.weights, dtype=float)
-    p, unknowns = len(system.active), weights.shape[1]
-    own = np.flatnonzero((rows < 2 * p) & (rows % 2 == 0))
-    design = np.concatenate((weights[own], (rows[own, None] // 2 == np.arange(p))), axis=1)
-    with np.errstate(divide="ignore"):
-        logs = np.log(np.abs(raw[own]))
-    counted = np.isfinite(logs).astype(float)
-    logs = np.where(counted > 0.0, logs, 0.0)
-    answer = np.zeros((unknowns + p, flat.shape[0]))
-    for _ in range(2):
-        # Least squares; the small diagonal decides what no coefficient determines.
-        normal_matrix = np.einsum("ti,tk,tj->kij", design, counted, design)
-        normal_matrix += 1e-6 * np.eye(unknowns + p)
-        right = -np.einsum("ti,tk->ki", design, counted * logs)
-        answer = np.linalg.solve(normal_matrix, right[..., None])[..., 0].T
-        size = logs + design @ answer
-        largest = np.full((p, flat.shape[0]), -np.inf)
-        np.maximum.at(largest, rows[own] // 2, np.where(counted > 0.0, size, -np.inf))
-        counted = counted * (size > largest[rows[own] // 2] + np.log(1e-4))
-    powers = np.where(rows[:, None] < 2 * p, weights @ answer[:unknowns], 0.0)
-    level = answer[unknowns + np.minimum(rows // 2, p - 1)]
-    powers = powers + np.where(rows[:, None] < 2 * p, level, 0.0)
-    return raw * np.exp(powers), np.exp(answer[:unknowns])
 
 
 def _ends(
@@ -343,7 +339,7 @@ def _real(
     return good, b, (rate.real * scales[p:]).T
 
 
-def _arranged(
+def arranged(
     flow: Flow,
     flat: NDArray[Any],
     shape: tuple[int, ...],
