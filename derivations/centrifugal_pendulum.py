@@ -226,11 +226,11 @@ dots = np.array([0.3, 0.6, 0.9, 1.3, 1.6]) * top
 found = np.array([steady(force) for force in dots])
 
 # %%
-jump_figure, axes = plt.subplots(figsize=(6.4, 3.4), layout="constrained")
+jump_figure, axes = plt.subplots(figsize=(4.8, 3.4), layout="constrained")
 axes.plot(curve, swing, color=plotting.COLOURS[0], label="slow flow, order 2")
 axes.plot(dots, found, "o", color="black", mfc="none", label="unexpanded equations, free rotor")
 axes.set(xlabel="τ (1/s²)", ylabel="a (rad)", xlim=(0, 1.8 * top), ylim=(0, 0.8))
-legend = axes.legend(frameon=False)
+legend = axes.legend(frameon=False, fontsize="small")
 
 # %% [markdown]
 # The same torque on a rotor that a soft spring holds, $\omega_r = 0.3\,\omega_p$, where all steady
@@ -247,7 +247,7 @@ points = [
     (x, amplitudes[1:], stable)
     for x, amplitudes, stable in mg.orbits_along(cases[4], HELD, found[4], 18)
 ]
-held_figure, axes = plt.subplots(figsize=(6.4, 4.0), layout="constrained")
+held_figure, axes = plt.subplots(figsize=(4.8, 3.6), layout="constrained")
 (branch,) = found[2].branches
 axes.plot(branch.parameter, branch.modulus[:, 1], "-.", color="0.4", lw=1.2, label="order 2")
 axes = plotting.frequency_response(

@@ -218,8 +218,8 @@ axes = plotting.convergence(certificates[:4])
 # ## 8. Zones
 #
 # Left: the zone of the sum combination for $\omega_1 = 1$, $\omega_2 = 2$,
-# $f_{12} = f_{21} = f_{11} = f$ and $f_{22} = 0$, from order 1 (dashed), order 2 (solid) and
-# Floquet theory (points). Right: half of its width with damping for $f = 0.1$ and
+# $f_{12} = f_{21} = f_{11} = f$ and $f_{22} = 0$, from orders 1 and 2 and
+# from Floquet theory. Right: half of its width with damping for $f = 0.1$ and
 # $\mu_1 + \mu_2 = 0.01$, over the ratio of the dampings; the line without damping is dotted.
 
 # %%
@@ -233,13 +233,16 @@ def load(f):
 
 
 depth = np.linspace(0, 0.3, 61)
-for order, style in ((1, "--"), (2, "-")):
-    edges = 3.0 + sums[order].slow_flow.boundaries(load(depth))
-    left.plot(edges, depth, style, color=plotting.COLOURS[0])
+for order in (1, 2):
+    low, high = 3.0 + sums[order].slow_flow.boundaries(load(depth)).T
+    style = {"color": plotting.COLOURS[order - 1], "ls": plotting.DASHES[order - 1]}
+    style["lw"] = plotting.WIDTHS[order - 1]
+    left.plot(low, depth, label=f"order {order}", **style)
+    left.plot(high, depth, **style)
 for f in (0.15, 0.3):
     found = mg.floquet.boundary(undamped, load(f), Omega, (2.6, 3.4), points=21)
     for zone in found.zones:
-        left.plot(zone, (f, f), "o", ms=4, mfc="none", mec="black")
+        left.plot(zone, (f, f), "o", ms=4, mfc="none", mec="black", label="Floquet")
 left.set(xlabel="Ω (rad/s)", ylabel="f (rad²/s²)", ylim=(0, 0.32))
 
 
@@ -250,13 +253,14 @@ def split(ratio):
 
 ratios = np.geomspace(0.05, 20, 121)
 half = damped.slow_flow.boundaries({**load(np.full_like(ratios, 0.1)), **split(ratios)})[:, 1]
-right.semilogx(ratios, half, color=plotting.COLOURS[0])
-right.axhline(0.1 / np.sqrt(2), color="black", ls=":", lw=1)
+right.semilogx(ratios, half, color=plotting.COLOURS[0], lw=2.4, label="order 1")
+right.axhline(0.1 / np.sqrt(2), color="black", ls=":", lw=1.2, label="without damping")
 for ratio in (0.05, 1.0, 5.0):
     found = mg.floquet.boundary(eom, {**load(0.1), **split(ratio)}, Omega, (2.8, 3.2), points=21)
     ((low, high),) = found.zones
-    right.plot(ratio, (high - low) / 2, "o", ms=4, mfc="none", mec="black")
-_ = right.set(xlabel="μ₂/μ₁", ylabel="half width (rad/s)", ylim=(0, None))
+    right.plot(ratio, (high - low) / 2, "o", ms=4, mfc="none", mec="black", label="Floquet")
+right.set(xlabel="μ₂/μ₁", ylabel="half width (rad/s)", ylim=(0, None))
+_ = plotting.shared_legend([left, right], 4)
 
 # %% [markdown]
 # ## 9. The emitted functions

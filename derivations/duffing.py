@@ -196,7 +196,7 @@ report.Table(("$Y$", *(f"order {n}" for n in errors)), tuple(rows))
 # than a thousandth.
 
 # %%
-figure, axes = plt.subplots(figsize=(5.6, 3.8), layout="constrained")
+figure, axes = plt.subplots(figsize=(4.8, 3.6), layout="constrained")
 for k, (n, values) in enumerate(errors.items()):
     style = {"color": plotting.COLOURS[k], "marker": plotting.MARKERS[k], "mfc": "none"}
     x = [float(p) for p, _ in pairs]

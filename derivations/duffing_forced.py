@@ -298,7 +298,7 @@ families = {name: exact_family(name) for name in FAMILIES}
 # branches.
 
 # %%
-figure, panels = plt.subplots(1, 3, figsize=(9.6, 3.8), layout="constrained")
+figure, panels = plt.subplots(1, 3, figsize=(9.0, 3.8), layout="constrained")
 for axes, name in zip(panels, FAMILIES, strict=True):
     family, number = families[name], FAMILIES[name][1]
     for order in (1, 2):
@@ -320,9 +320,9 @@ for axes, name in zip(panels, FAMILIES, strict=True):
     sizes = np.linspace(0.0, SHOWN[name][3], 101)
     shifts = sp.lambdify(a, curve)(sizes)
     plotting.backbone({"backbone, order 2": (shifts, sizes)}, axes=axes)
-    axes.set(title=name, xlim=SHOWN[name][1], ylim=(0, SHOWN[name][3]))
-    axes.get_legend().remove()
-figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    axes.set(title=name, xlim=SHOWN[name][1], ylim=np.array([-0.03, 1]) * SHOWN[name][3])
+    axes.locator_params(axis="x", nbins=5)
+plotting.shared_legend(panels)
 plt.show()
 
 # %% [markdown]

@@ -152,16 +152,23 @@ report.expression("g^2", g_squared)
 # ## 6. Numbers
 #
 # Those of the paper, $\omega_\phi$ held at 11 rad/s, but for $r_m$, a quarter of it (a heavier
-# fuselage: the coupling is weaker), with light linear dampers on fuselage and blades. Two rotors:
-# one whose hinges stiffen and damp well, one whose hinges soften. The stability of each limit cycle
-# is that in the whole slow flow, all blades and the other direction of the fuselage included:
-# eigenvalues of its Jacobian in the frame that drifts with the cycle.
+# fuselage: the coupling is weaker), with light linear dampers on fuselage and blades. Five rotors.
+# Three have hinges with one nonlinearity each: a cubic stiffness, a cubic damper, a
+# velocity-squared one. (With the dampers, $\kappa$ just makes up for the softening of the
+# centrifugal moment, so that $w = 0$ and the damper acts alone.) The others have all of them: the
+# hinges of the *hard* one stiffen and damp well, those of the *soft* one soften. The stability of
+# each limit cycle is that in the whole slow flow, all blades and the other direction of the
+# fuselage included: eigenvalues of its Jacobian in the frame that drifts with the cycle.
 
 # %%
 paper = {n: rotor.PAPER_VALUES[n] for n in ("r_m", "r_b", "r_a", "omega_x", "omega_y")}
 common = {**paper, "omega_phi": 11.0, "mu_x": 0.3, "mu_y": 0.3, "mu_b": 0.15}
 common["r_m"] /= 4
+straight = common["r_a"] ** 2 * (common["omega_x"] + common["omega_phi"]) ** 2 / 6
 rotors = {
+    "cubic stiffness": {**common, "mu_2": 0.0, "mu_3": 0.0, "kappa": 600.0},
+    "cubic damping": {**common, "mu_2": 0.0, "mu_3": 0.2, "kappa": straight},
+    "velocity squared": {**common, "mu_2": 0.35, "mu_3": 0.0, "kappa": straight},
     "hard": {**common, "mu_2": 0.35, "mu_3": 0.1, "kappa": 150.0},
     "soft": {**common, "mu_2": 0.2, "mu_3": 0.05, "kappa": -300.0},
 }
@@ -191,14 +198,17 @@ def growth(values, detuning, drift, amplitudes):
     return spectrum(table.flow, numbers, amplitudes, [0, -drift])[0].real
 
 
+REACH = 0.3  # rad: how far limit cycles are shown where damping does not bound them
+
+
 def largest(values):
-    """The amplitude at which the damping of the blades has eaten up the coupling."""
+    """The amplitude at which the damping of the blades has eaten up the coupling, or `REACH`."""
 
     def excess(size):
         damping, _, coupling, _ = parts(size, *values.values())
         return values["mu_x"] * damping - coupling
 
-    return brentq(excess, 0, 2)
+    return brentq(excess, 0, 2) if excess(2) > 0 else REACH
 
 
 def branch(values, way):
@@ -211,14 +221,19 @@ def branch(values, way):
 
 
 def response(values):
-    """Rest, and all limit cycles from one edge of the zone to the other, with their folds."""
+    """Rest, the limit cycles that it sheds at the edges of its zone, and their folds."""
     top = largest(values)
     sizes = top * np.sin(np.linspace(0, np.pi / 2, 202))[1:]
-    way = [(size, -1) for size in sizes] + [(size, 1) for size in sizes[-2::-1]]
+    ways = [[(size, -1) for size in sizes], [(size, 1) for size in sizes[-2::-1]]]
+    if top < REACH:  # both sides meet
+        ways = [ways[0] + ways[1]]
     still = np.zeros((len(detunings), 2 + N_b))
     rise = np.array([growth(values, s, 0.0, still[0]) for s in detunings])
     rest = Branch(detunings, still, still[:, :2], rise)
-    return Response("sigma", (rest, branch(values, way)), tuple(folds(values, top)))
+    cycles = [branch(values, way) for way in ways]
+    born = [cycle(values, 0.0, sign) for sign in (-1, 1)]
+    edges = [Bifurcation("Hopf", s, b, still[0, :2], abs(drift)) for s, drift, b in born]
+    return Response("sigma", (rest, *cycles), (*edges, *folds(values, top)))
 
 
 def folds(values, top):
@@ -227,7 +242,7 @@ def folds(values, top):
     for sign in (-1, 1):
         curve = w + sign * (mu_x + h) * sp.sqrt(g_squared / (mu_x * h) - 1)
         slope = sp.lambdify(a, curve.diff(a).subs(given), "numpy")
-        sizes = np.linspace(0, 0.999 * top, 400)
+        sizes = np.linspace(0, 0.999 * top, 400)[1:]
         for k in np.flatnonzero(np.diff(np.sign(slope(sizes)))):
             detuning, drift, b = cycle(values, brentq(slope, *sizes[k : k + 2], xtol=1e-13), sign)
             # There the whole system has an eigenvalue of zero beside that of the drift: a double
@@ -242,22 +257,27 @@ rows = []
 for name, values in rotors.items():
     edges = " … ".join(f"{cycle(values, 0.0, sign)[0]:.4f}" for sign in (-1, 1))
     turning = ", ".join(
-        f"{fold.parameter:.4f} ({fold.modulus[2]:.4f})" for fold in responses[name].bifurcations
+        f"{fold.parameter:.4f} ({fold.modulus[2]:.4f})" for fold in responses[name].bifurcations[2:]
     )
-    rows.append((name, edges, f"{largest(values):.4f}", turning or "none"))
+    top = largest(values)
+    rows.append((name, edges, f"{top:.4f}" if top < REACH else "unbounded", turning or "none"))
 report.Table(("rotor", "zone: σ (rad/s)", "largest $a$ (rad)", "folds: σ ($a$)"), tuple(rows))
 
 # %% [markdown]
-# The *hard* rotor saturates: throughout the zone one limit cycle, stable. The *soft* one has two
-# folds: below its zone, rest and a large limit cycle are stable both, and the unstable one between
-# them is the amplitude beyond which the rotor is thrown off.
+# Either damper alone bounds the amplitude: throughout the zone one limit cycle, stable. Stiffness
+# alone takes no energy out. It shifts the zone, by $w(a)$: a rotor inside grows until it has left
+# the zone by its lower edge, and that is its limit cycle; a rotor above the zone that is kicked so
+# hard that the upper edge passes it is thrown off, onto the same limit cycle. The *hard* rotor
+# saturates as those with dampers do. The *soft* one has two folds: below its zone, rest and a large
+# limit cycle are stable both, and the unstable one between them is the amplitude beyond which the
+# rotor is thrown off.
 #
 # ## 7. Motions of the unexpanded equations
 #
 # All coordinates, all nonlinear terms, integrated in time: from close to the limit cycles until
-# they have settled, and, for the soft rotor at $\sigma = -0.83$ rad/s, from starts about the
-# unstable one. A start is said to be thrown off if the wave is larger at the end than it was once
-# everything else had died away.
+# they have settled, and from starts about the unstable ones, for the soft rotor at
+# $\sigma = -0.83$ rad/s, for the one with stiffness alone at $\sigma = 1$ rad/s. A start is said
+# to be thrown off if the wave ends larger than the unstable limit cycle of the slow flow.
 
 
 # %%
@@ -292,20 +312,33 @@ def stable_cycle(values, detuning):
 
 hard, soft = rotors["hard"], rotors["soft"]
 tops = {name: largest(values) for name, values in rotors.items()}
-DETUNINGS = {"hard": (-0.5, -0.25, 0.0, 0.25, 0.5), "soft": (-0.65, -0.4, -0.1, 0.2, 0.5)}
+DETUNINGS = {
+    "cubic stiffness": (-0.6, -0.35, -0.1, 0.15, 0.4),
+    "cubic damping": (-0.55, -0.3, -0.05, 0.2, 0.45),
+    "velocity squared": (-0.55, -0.3, -0.05, 0.2, 0.45),
+    "hard": (-0.5, -0.25, 0.0, 0.25, 0.5),
+    "soft": (-0.65, -0.4, -0.1, 0.2, 0.5),
+}
 steady = [(name, s, *stable_cycle(rotors[name], s)) for name, row in DETUNINGS.items() for s in row]
-BELOW = -0.83
-threshold = amplitude_at(soft, BELOW, -1, (0.11, 0.24))
-factors = np.linspace(0.7, 1.1, 11)
+KICKED = {"soft": (-0.83, -1), "cubic stiffness": (1.0, 1)}
+thresholds = {
+    "soft": amplitude_at(soft, *KICKED["soft"], (0.11, 0.24)),
+    "cubic stiffness": amplitude_at(
+        rotors["cubic stiffness"], *KICKED["cubic stiffness"], (1e-3, REACH)
+    ),
+}
+factors = np.linspace(0.7, 1.2, 11)
 starts = [(rotors[name], s, cycle(rotors[name], size, sign)[2]) for name, s, size, sign in steady]
-starts += [(soft, BELOW, k * cycle(soft, threshold, -1)[2]) for k in factors]
+for name, (s, sign) in KICKED.items():
+    unstable = cycle(rotors[name], thresholds[name], sign)[2]
+    starts += [(rotors[name], s, k * unstable) for k in factors]
 times = np.linspace(0, 80, 2001)
 blade = settle(starts, times)
 
-late, early = times >= 62, (times >= 8) & (times <= 26)
+late = times >= 62
 sizes, _ = many_motions.fundamental(times[late], blade[:, late], natural[2], 1.0)
-before, _ = many_motions.fundamental(times[early], blade[:, early], natural[2], 1.0)
-settled, thrown = sizes[: len(steady)], sizes[len(steady) :] > before[len(steady) :]
+settled, *kicked = np.split(sizes, len(steady) + len(factors) * np.arange(len(KICKED)))
+thrown = {n: ends > thresholds[n] for n, ends in zip(KICKED, kicked, strict=True)}
 rows = [
     (name, f"{s:.2f}", f"{size:.3f}", f"{exact:.3f}")
     for (name, s, size, _), exact in zip(steady, settled, strict=True)
@@ -313,41 +346,74 @@ rows = [
 report.Table(("rotor", "σ (rad/s)", "slow flow: $a$ (rad)", "in time: $a$ (rad)"), tuple(rows))
 
 # %%
-last, first = factors[~thrown].max(), factors[thrown].min()
-assert last < first
-print(f"unstable limit cycle at {threshold:.3f} rad;")
-print(f"starts up to {last:.2f} of it come to rest, from {first:.2f} of it on they are thrown off")
+divides = {name: (factors[~off].max(), factors[off].min()) for name, off in thrown.items()}
+for name, (last, first) in divides.items():
+    assert last < first
+    print(
+        f"{name}: unstable limit cycle at {thresholds[name]:.3f} rad; starts up to {last:.2f} of it"
+    )
+    print(f"    come to rest, from {first:.2f} of it on they are thrown off")
 
 # %% [markdown]
-# The response: lines are the formula, points the settled motions; the vertical bar is where starts
-# turn from one to the other. The formula errs by a fraction ε² of the shift $w$; where its curve is
+# The responses: lines are the formula, points the settled motions; the vertical bar is where starts
+# turn from coming to rest to being thrown off. One nonlinearity at a time:
+
+
+# %%
+def panels_of(chosen):
+    """A figure with a panel for each of some rotors."""
+    shape = {"figsize": (3.2 * len(chosen), 3.8), "layout": "constrained"}
+    _, panes = plt.subplots(1, len(chosen), **shape)
+    for axes, (name, title) in zip(panes, chosen.items(), strict=True):
+        plotting.frequency_response(
+            responses[name],
+            [None, None, "slow flow", *[None] * (N_b - 1)],
+            colour=-2,
+            axes=axes,
+            xlabel="σ (rad/s)",
+            ylabel="amplitude of a blade (rad)",
+        )
+        own = [(s, exact) for (n, s, *_), exact in zip(steady, settled, strict=True) if n == name]
+        axes.plot(*zip(*own, strict=True), "ko", ms=4, label="motions in time")
+        if name in KICKED:
+            bar = np.array(divides[name]) * thresholds[name]
+            label = "starts: rest below, thrown off above"
+            axes.plot([KICKED[name][0]] * 2, bar, "k-", lw=4, label=label)
+        axes.set(title=title, xlim=(-1.2, 1.2), ylim=(-0.01, 1.1 * tops[name]))
+    return plotting.shared_legend(panes, 3)
+
+
+_ = panels_of(
+    {
+        "cubic stiffness": "cubic stiffness",
+        "cubic damping": "cubic damping",
+        "velocity squared": r"damping by $\dot\phi|\dot\phi|$",
+    }
+)
+
+# %% [markdown]
+# And all of them together. The formula errs by a fraction ε² of the shift $w$; where its curve is
 # steep, that is much in the amplitude.
 
 # %%
-figure, panes = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
-for axes, (name, found) in zip(panes, responses.items(), strict=True):
-    names = [None, None, "slow flow", *[None] * (N_b - 1)]
-    plotting.frequency_response(
-        found, names, axes=axes, xlabel="σ (rad/s)", ylabel="amplitude of a blade (rad)"
-    )
-    own = [(s, exact) for (n, s, *_), exact in zip(steady, settled, strict=True) if n == name]
-    axes.plot(*zip(*own, strict=True), "ko", ms=4, label="motions in time")
-    if name == "soft":
-        axes.plot([BELOW] * 2, [last * threshold, first * threshold], "k-", lw=4, label="divide")
-    axes.set(title=name, ylim=(0, 1.15 * tops[name]))
-    axes.legend(frameon=False, fontsize="small", loc="upper right")
+_ = panels_of({"hard": "all, stiffening", "soft": "all, softening"})
 
 # %% [markdown]
-# Two starts on either side of the unstable limit cycle, as they come to rest and are thrown off:
+# Two starts of the soft rotor on either side of its unstable limit cycle, as they come to rest and
+# are thrown off. Dashed: the unstable limit cycle of the slow flow, of which the starts are parts.
 
 # %%
 inner, outer = (
-    len(steady) + int(np.flatnonzero(thrown == side)[k]) for side, k in ((0, -1), (1, 0))
+    len(steady) + int(np.flatnonzero(thrown["soft"] == side)[k]) for side, k in ((0, -1), (1, 0))
 )
+last, first = divides["soft"]
 axes = plotting.time_response(
     times,
-    {f"from {first:.2f} of it": blade[outer], f"from {last:.2f} of it": blade[inner]},
-    {"unstable limit cycle": threshold},
+    {
+        f"start at {first:.2f} of it, thrown off": blade[outer],
+        f"start at {last:.2f} of it, to rest": blade[inner],
+    },
+    {"unstable limit cycle": thresholds["soft"]},
     ylabel="$\\phi_1$ (rad)",
 )
 

@@ -1,5 +1,5 @@
 # %% [markdown]
-# # Ground resonance: free motion where it is stable
+# # Ground resonance: free motion at every resonance
 #
 # Of the resonances between rotor speed, fuselage and blades only the sum combinations
 # $\Omega = \omega_x + \omega_\phi$, $\Omega = \omega_y + \omega_\phi$ make an isotropic rotor
@@ -9,9 +9,11 @@
 #   \Omega = \omega_\phi - \omega_x, \quad \Omega = \omega_\phi - \omega_y$$
 #
 # nothing grows, but a fuselage that is pushed once hands all of its energy over to the blades and
-# gets it back, again and again: the motion beats. This notebook computes the free motion from
-# given initial conditions, its period of beating and its largest amplitudes, and puts it beside
-# the time integration of the *nonlinear* equations, one figure for each case.
+# gets it back, again and again: the motion beats. So it does between the two directions of a
+# fuselage on supports that are equally stiff, $\omega_y = \omega_x$. This notebook computes the
+# free motion from given initial conditions, its period of beating and its largest amplitudes, and
+# puts it beside the time integration of the *nonlinear* equations, one figure for each case. The
+# last ones are of the sum combinations, where the motion grows.
 #
 # The model is that of Sanches, Michon, Berlioz and Alazard, "Response and instability prediction
 # of helicopter dynamics on the ground", *Int. J. Non-Linear Mechanics* (2014),
@@ -240,12 +242,18 @@ figures = {}
 
 
 def beats(name):
-    """The figure of one case."""
-    case, values = cases[name][1], numbers[name]
+    """The figure of one case, over two beats and a half."""
+    case = cases[name][1]
     j = 0 if "omega_x" in name else 1
-    state = pushed(name, 0.05)
-    period = case.slow_flow.beating(arguments(case, values), np.eye(6)[j]).period[j]
-    times = np.linspace(0.0, 2.5 * period, 4001)
+    period = case.slow_flow.beating(arguments(case, numbers[name]), np.eye(6)[j]).period[j]
+    shown(name, case, 0.05, 2.5 * period)
+
+
+def shown(name, case, push, end):
+    """The fuselage and blade 1 after a push, for a time: slow flow and nonlinear equations."""
+    values, j = numbers[name], 0 if "omega_x" in name else 1
+    state = pushed(name, push)
+    times = np.linspace(0.0, end, 4001)
     slow, amplitudes = free_motion(case, values, state, times)
     found = exact(nonlinear, values, state, times)
     figure, panels = plt.subplots(2, figsize=(7.2, 4.6), sharex=True, layout="constrained")
@@ -353,6 +361,25 @@ panels[0].set_title(f"${report.case_title(internal[4])}$", fontsize="medium", lo
 figures["ground_resonance_free_omega_y_is_omega_x"] = figure
 for order, period in half_turns.items():
     print(f"order {order}: the plane of the motion has turned by 180 degrees after {period:.2f} s")
+
+# %% [markdown]
+# ## 8. Where it grows
+#
+# At the sum combinations the same push, though of 1 mm only, makes an oscillation that grows until
+# something stops it (`ground_resonance_nonlinear`). The push is shared between a part that grows
+# and one that decays; when the latter is gone, both coordinates grow like $e^{\Gamma t}$:
+
+# %%
+growing = {
+    "omega_x_plus_omega_phi": rotor.omega_x + omega_phi,
+    "omega_y_plus_omega_phi": rotor.omega_y + omega_phi,
+}
+for name, right in growing.items():
+    case = scaled.expand(2, {Omega: right})
+    numbers[name] = at_resonance(case, SOFT)
+    rate = float(case.slow_flow.growth_rate(arguments(case, numbers[name])))
+    print(f"{name}: Γ = {rate:.3f} 1/s at Ω = {numbers[name]['Omega']:.3f} rad/s")
+    shown(name, case, 1e-3, 4.0 / rate)
 
 # %%
 Markdown(mg.publish(figures=figures))

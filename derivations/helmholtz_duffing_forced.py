@@ -216,9 +216,7 @@ for axes, (name, (flows, force, ends)) in zip(panels, SHOWN.items(), strict=True
         )
     axes.set(title=name, xlim=ends, ylim=(-0.03, 1.5))
     axes.locator_params(axis="x", nbins=6)
-    axes.get_legend().remove()
-handles = {h.get_label(): h for axes in panels for h in axes.get_legend_handles_labels()[0]}
-figure.legend(handles=list(handles.values()), loc="outside lower center", ncols=4)
+plotting.shared_legend(panels)
 plt.show()
 
 # %% [markdown]

@@ -307,9 +307,11 @@ for name, (function, n) in sorted(exact.items(), key=lambda pair: (pair[1][1], p
 report.Table(("eigenvalue", "q = 1", "q = 1/2", "q = 1/4", "q = 1/8", "power"), tuple(rows))
 
 # %% [markdown]
-# The plane of $a = \omega^2$ and $q$ at $\Omega = 2$. Left, without damping: exact curves as thin
-# lines, order 4 dashed, unstable regions shaded. Right, with $\mu = 0.1$: order 2 as lines,
-# Floquet theory as points; damping cuts the tongues off.
+# Two planes at $\Omega = 2$. Left, $a = \omega^2$ and $q$ without damping: exact curves, and order
+# 4 upon them. Right, $\omega$ and $q$ with $\mu = 0.1$: the edges of two tongues to orders
+# 1, 2 and 4 over the growth rate by Floquet theory, the darker the faster. Damping cuts the tongues
+# off. The second one is there from order 2 on; its tip lies at a $q$ so large that it takes order 4
+# to be there.
 
 # %%
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.6), layout="constrained", sharey=True)
@@ -317,24 +319,26 @@ depth = np.linspace(0, 1.8, 361)
 outlines = {name: function(n, depth) for name, (function, n) in exact.items()}
 for low, high in (("", "a_0"), ("b_1", "a_1"), ("b_2", "a_2"), ("b_3", "a_3")):
     edge = outlines[low] if low else -2.0
-    left.fill_betweenx(depth, edge, outlines[high], color="0.9", lw=0)
+    left.fill_betweenx(depth, edge, outlines[high], color="0.9", lw=0, label="unstable (exact)")
 for name, outline in outlines.items():
-    left.plot(outline, depth, lw=0.7, color="black")
-    colour = plotting.COLOURS[int(name[-1])]
-    left.plot(sp.lambdify(q, DLMF[name])(depth), depth, "--", lw=1.6, color=colour)
+    left.plot(outline, depth, lw=0.7, color="black", label="exact")
+    style = {"color": plotting.COLOURS[2], "ls": plotting.DASHES[2], "lw": plotting.WIDTHS[2]}
+    left.plot(sp.lambdify(q, DLMF[name])(depth), depth, label="order 4", **style)
 left.set(xlabel="a", ylabel="q", xlim=(-1.5, 10), ylim=(0, 1.8), title="without damping")
 
 values = {"Omega": 2.0, "mu": 0.1}
-for n in (1, 2):
-    for edge in damped[n, 2].slow_flow.boundary():
-        line = sp.lambdify(q, (n + edge.subs({Omega: 2, mu: R(1, 10)})) ** 2)
-        there = depth[depth > (0.2 if n == 1 else 4 * np.sqrt(0.1))]
-        right.plot(line(there), there, lw=1.6, color=plotting.COLOURS[n])
-for height in (0.25, 0.5, 0.8, 1.1, 1.4, 1.7):
-    found = mg.floquet.boundary(eom, {**values, "q": height}, omega, (0.1, 2.6), points=51)
-    for zone in found.zones:
-        right.plot(np.square(zone), [height] * 2, "o", ms=3.2, mfc="none", mec="black")
-_ = right.set(xlabel="a", xlim=(-1.5, 10), title="μ = 0.1")
+curves = {}
+for order in (1, 2, 4):
+    shown = [n for n in (1, 2) if (n, order) in damped]
+    shifts = [damped[n, order].slow_flow.boundaries({**values, "q": depth}) for n in shown]
+    edges_of = np.concatenate([n + s for n, s in zip(shown, shifts, strict=True)], axis=1)
+    curves[f"order {order}"] = (edges_of, depth)
+chart = mg.floquet.chart(
+    eom, values, {"omega": np.linspace(0.02, 2.6, 130)}, {"q": np.linspace(0.0, 1.8, 91)}
+)
+plotting.stability_chart(chart, curves, xlabel="ω (rad/s)", ylabel="", axes=right)
+right.set_title("μ = 0.1 1/s")
+_ = plotting.shared_legend([right, left], 4)
 
 # %% [markdown]
 # ## 8. The emitted functions

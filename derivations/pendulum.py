@@ -274,32 +274,32 @@ axes = plotting.convergence(certificates, quantity="motions at times of order 1/
 # %%
 shaken = {omega: 1.0, z: 0.03, mu: 0.007, sigma: np.linspace(-0.14, 0.1, 481)}
 pushed = {omega: 1.0, h: 0.01, mu: 0.007, sigma: np.linspace(-0.07, 0.05, 481)}
-figure, (left, middle, right) = plt.subplots(1, 3, figsize=(10.4, 4.2), layout="constrained")
-entries = {}
+figure, (left, middle, right) = plt.subplots(1, 3, figsize=(9.6, 4.2), layout="constrained")
 for panel, numbers, cases in ((left, shaken, up_down), (middle, pushed, to_fro)):
     highest = max(cases)
     for order, case in cases.items():
         response = case.slow_flow.frequency_response(numbers)
         points = mg.orbits_along(case, numbers, response, 24) if order == highest else ()
         plotting.frequency_response(
-            response, [f"order {order}"], points=points, colour=3 - order, axes=panel
+            response, [f"order {order}"], points=points, colour=order - 1, axes=panel
         )
-    entries |= dict(zip(*reversed(panel.get_legend_handles_labels()), strict=True))
-    panel.get_legend().remove()
     panel.set(xlabel="σ (rad/s)", ylabel="amplitude of θ (rad)")
     panel.locator_params(axis="x", nbins=5)
-_ = figure.legend(
-    entries.values(), entries, loc="outside lower center", ncols=6, frameon=False, fontsize="small"
-)
+plotting.shared_legend([left, middle])
 
 reach = np.linspace(0, 0.6, 121)
-right.plot(reach**2 / 2, reach, "--", color=plotting.COLOURS[0])
-right.plot(sp.lambdify(z, threshold)(reach), reach, color=plotting.COLOURS[0])
+lower = sp.lambdify(z, threshold)(reach)
+right.plot(lower, reach, color="black", lw=1.6, label="series")
+right.plot(reach**2 / 2, reach, "--", color="black", lw=0.9, label="to order 2")
 b_1 = np.polynomial.Polynomial([1, -1, -1 / 8, 1 / 64, -1 / 1536])
-right.plot(-b_1(2 * reach) / 4, reach, color=plotting.COLOURS[1])
+upper = -b_1(2 * reach) / 4
+right.plot(upper, reach, color="black", lw=1.6)
+right.fill_betweenx(reach, np.maximum(upper, 0), lower, color="0.9", lw=0, label="stable")
 for exact in (mathieu_a(0, 2 * reach[::10]), mathieu_b(1, 2 * reach[::10])):
-    right.plot(-exact / 4, reach[::10], "ko", ms=3, mfc="none")
-_ = right.set(xlabel="g/(lΩ²)", ylabel="z", xlim=(0, 0.15), ylim=(0, 0.6), xticks=[0, 0.05, 0.1])
+    right.plot(-exact / 4, reach[::10], "ko", ms=3.4, mfc="none", label="exact")
+right.set(xlabel="g/(lΩ²)", ylabel="z", xlim=(0, 0.15), ylim=(0, 0.6), xticks=[0, 0.05, 0.1])
+entries = dict(zip(*reversed(right.get_legend_handles_labels()), strict=True))
+_ = right.legend(entries.values(), entries, frameon=False, fontsize="small", loc="lower right")
 
 # %% [markdown]
 # ## 7. The emitted functions

@@ -88,9 +88,10 @@ Math(rf"a = {sp.latex(size, order='rev-lex')},\quad \omega = {sp.latex(speed, or
 # %%
 strengths = {omega_0: 1.0, mu: np.linspace(0.01, 2, 200)}
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.6), layout="constrained")
-for place, (order, case) in enumerate(cases.items()):
+for order, case in cases.items():
     _, cycles = case.slow_flow.frequency_response(strengths).branches  # rest is the first one
-    style = {"color": plotting.COLOURS[place], "ls": plotting.DASHES[place], "lw": 1.6}
+    style = {"color": plotting.COLOURS[order - 1], "ls": plotting.DASHES[order - 1]}
+    style["lw"] = plotting.WIDTHS[order - 1]
     left.plot(cycles.parameter, cycles.modulus, label=f"order {order}", **style)
     right.plot(cycles.parameter, 1 + cycles.drift, **style)
 for k in range(9, len(cycles.parameter), 19):

@@ -140,41 +140,29 @@ report.solvability(quenching[2], 2)
 
 # %%
 NUMBERS = {omega_0: 1.0, mu: 0.2}
-figure, panels = plt.subplots(1, 3, figsize=(10.4, 4.0), layout="constrained")
-for place, share in enumerate((1.4, 1.0, 0.77, 0.6, 0.4)):
-    here = {**NUMBERS, K: 0.2 * share, sigma: np.linspace(-0.12, 0.12, 241)}
-    plotting.frequency_response(
-        primary[1].slow_flow.frequency_response(here),
-        [f"K = {0.2 * share:.3g} m/s²"],
-        colour=place,
-        axes=panels[0],
-    )
-texts, handles = [], []
-for handle, text in zip(*panels[0].get_legend_handles_labels(), strict=True):
-    if "unstable" not in text:
-        handles, texts = [*handles, handle], [*texts, text]
-figure.legend(handles, texts, loc="outside lower left", ncols=2, frameon=False, fontsize="small")
+figure, panels = plt.subplots(1, 3, figsize=(9.6, 4.0), layout="constrained")
+for force in (0.28, 0.2, 0.154, 0.12, 0.08):
+    here = {**NUMBERS, K: force, sigma: np.linspace(-0.12, 0.12, 241)}
+    response = primary[1].slow_flow.frequency_response(here)
+    plotting.frequency_response(response, ["order 1"], axes=panels[0])
+    end = min(b.modulus[-1, 0] for b in response.branches if b.parameter[-1] > 0.119)
+    beside = {"xytext": (4, 0), "textcoords": "offset points", "va": "center"}
+    panels[0].annotate(f"{force}", (0.12, end), fontsize="small", **beside)
+for line in panels[0].get_lines():
+    line.set_linewidth(1.4)
+panels[0].set(title="K (m/s²) at the curves", xlim=(-0.13, 0.17))
 for axes, force in zip(panels[1:], (0.12, 0.28), strict=True):
     here = {**NUMBERS, K: force, sigma: np.linspace(-0.2, 0.2, 401)}
     for order, case in primary.items():
         response = case.slow_flow.frequency_response(here)
         points = mg.orbits_along(case, here, response, 28) if order == 2 else ()
         plotting.frequency_response(
-            response, [f"order {order}"], points=points, colour=2 - order, axes=axes
+            response, [f"order {order}"], points=points, colour=order - 1, axes=axes
         )
     axes.set_title(f"K = {force} m/s²")
 for axes in panels:
-    axes.get_legend().remove()
     axes.set(xlabel="σ (rad/s)", ylabel="amplitude (m)")
-handles, texts = panels[1].get_legend_handles_labels()
-_ = figure.legend(
-    handles[:2] + handles[3:],
-    texts[:2] + texts[3:],
-    loc="outside lower right",
-    ncols=2,
-    frameon=False,
-    fontsize="small",
-)
+_ = plotting.shared_legend(panels)
 
 # %% [markdown]
 # The same for a hard force of $\Omega = 1.8$ rad/s. The oscillator's own oscillation stands beside
@@ -189,11 +177,12 @@ hard_numbers = {**NUMBERS, Omega: 1.8}
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.8), layout="constrained")
 for order, case in quenching.items():
     response = case.slow_flow.frequency_response({**hard_numbers, K: np.linspace(0.02, 2.2, 200)})
-    style = {"colour": 2 - order, "xlabel": "K (m/s²)", "ylabel": "amplitude at $\\omega_0$ (m)"}
+    style = {"colour": order - 1, "xlabel": "K (m/s²)", "ylabel": "amplitude at $\\omega_0$ (m)"}
     plotting.frequency_response(response, [f"order {order}"], axes=left, **style)
     _, own = response.branches  # rest, and the oscillator's own oscillation
     speed = np.where(own.modulus > 0, 1 + own.drift, np.nan)
-    right.plot(own.parameter, speed, color=plotting.COLOURS[2 - order], lw=1.6)
+    look = {"color": plotting.COLOURS[order - 1], "lw": plotting.WIDTHS[order - 1]}
+    right.plot(own.parameter, speed, **look)
 
 swinging = np.linspace(0.3, 1.65, 10)
 values = {str(symbol): number for symbol, number in hard_numbers.items()}
@@ -216,9 +205,9 @@ assert forced.stable
 path = mg.orbits.follow(forced.problem, forced, K, 1.6)
 (quenched,) = path.specials
 assert quenched.kind == "Neimark-Sacker"
-left.plot(quenched.value, 0, "k^", ms=6, clip_on=False, label="exact Neimark–Sacker point")
-left.legend(frameon=False, fontsize="small")
-_ = right.set(xlabel="K (m/s²)", ylabel="frequency of that oscillation (rad/s)")
+left.plot(quenched.value, 0, "k^", ms=4, zorder=5, label="exact Neimark–Sacker point")
+right.set(xlabel="K (m/s²)", ylabel="frequency of that oscillation (rad/s)")
+_ = plotting.shared_legend([left, right])
 
 # %% [markdown]
 # ## 6. Certificates

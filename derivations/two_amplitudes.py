@@ -67,18 +67,17 @@ def drawn(
     figure, panels = plt.subplots(1, len(ylabels), **shape)
     for j, axes in enumerate(panels):
         own = [(x, a[j : j + 1], stable) for x, a, stable in points]
-        for k, (order, response) in enumerate(found.items()):
+        for order, response in found.items():
             plotting.frequency_response(
                 only(response, j),
                 [f"order {order}"],
                 points=own if order == last else (),
                 scale=scale,
-                colour=k,
+                colour=order - 1,
                 xlabel=xlabel,
                 ylabel=ylabels[j],
                 axes=axes,
             )
-        axes.get_legend().remove()
         axes.margins(x=0)
-    figure.legend(*panels[0].get_legend_handles_labels(), loc="outside lower center", ncols=4)
+    plotting.shared_legend(panels)
     return figure

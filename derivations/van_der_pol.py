@@ -200,10 +200,11 @@ report.Table(
 # %%
 strengths = {mu: np.linspace(0.01, 2, 200)}
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.6), layout="constrained")
-for place, (order, case) in enumerate(cases.items()):
+for order, case in cases.items():
     response = case.slow_flow.frequency_response(strengths)
     _, cycles = response.branches  # rest, and the limit cycle
-    style = {"color": plotting.COLOURS[place], "ls": plotting.DASHES[place], "lw": 1.6}
+    style = {"color": plotting.COLOURS[order - 1], "ls": plotting.DASHES[order - 1]}
+    style["lw"] = plotting.WIDTHS[order - 1]
     left.plot(cycles.parameter, cycles.modulus, label=f"order {order}", **style)
     right.plot(cycles.parameter, 1 + cycles.drift, **style)
 for k in range(9, len(cycles.parameter), 19):

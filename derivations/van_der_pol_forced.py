@@ -142,16 +142,15 @@ report.solvability(quenching[2], 2)
 
 # %%
 NUMBERS = {omega_0: 1.0, mu: 0.2}
-figure, panels = plt.subplots(1, 3, figsize=(10.4, 4.2), layout="constrained")
+figure, panels = plt.subplots(1, 3, figsize=(9.6, 4.2), layout="constrained")
 for axes, force in zip(panels[:2], (0.12, 0.3), strict=True):
     here = {**NUMBERS, K: force, sigma: np.linspace(-0.25, 0.25, 501)}
     for order, case in primary.items():
         response = case.slow_flow.frequency_response(here)
         points = mg.orbits_along(case, here, response, 28) if order == 2 else ()
         plotting.frequency_response(
-            response, [f"order {order}"], points=points, colour=2 - order, axes=axes
+            response, [f"order {order}"], points=points, colour=order - 1, axes=axes
         )
-    axes.get_legend().remove()
     axes.set(xlabel="σ (rad/s)", ylabel="amplitude (m)", title=f"K = {force} m/s²")
 
 edge = panels[2]
@@ -170,8 +169,8 @@ for order, case in primary.items():
             # Of two saddle-nodes the outer one: there the larger amplitudes are.
             outer = {f: max((abs(b[0]), s) for g, s, b in met if g == f)[1] for f, _, _ in met}
             label = f"{kind}, order {order}" if side > 0 else None
-            colour = plotting.COLOURS[2 - order]
-            edge.plot(list(outer.values()), list(outer), dash, color=colour, lw=1.4, label=label)
+            style = {"color": plotting.COLOURS[order - 1], "lw": plotting.WIDTHS[order - 1]}
+            edge.plot(list(outer.values()), list(outer), dash, label=label, **style)
 
 
 def lost(force, end):
@@ -195,12 +194,8 @@ for force in (0.08, 0.16, 0.25, 0.34):
         edge.plot(special.value - 1, force, mark, label=None if mark in known else label, **style)
         known.add(mark)
 edge.set(xlabel="σ (rad/s)", ylabel="K (m/s²)", title="locked above the curves", ylim=(0, None))
-entries = dict(zip(*reversed(panels[0].get_legend_handles_labels()), strict=True))
-for axes in panels[1:]:
-    entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-_ = figure.legend(
-    entries.values(), entries, loc="outside lower center", ncols=4, frameon=False, fontsize="small"
-)
+edge.locator_params(axis="x", nbins=5)
+_ = plotting.shared_legend(panels)
 
 # %% [markdown]
 # The same for a hard force of $\Omega = 1.8$ rad/s. The oscillator's own oscillation stands beside
@@ -215,11 +210,12 @@ hard_numbers = {**NUMBERS, Omega: 1.8}
 figure, (left, right) = plt.subplots(1, 2, figsize=(8.4, 3.8), layout="constrained")
 for order, case in quenching.items():
     response = case.slow_flow.frequency_response({**hard_numbers, K: np.linspace(0.02, 4, 200)})
-    style = {"colour": 2 - order, "xlabel": "K (m/s²)", "ylabel": "amplitude at $\\omega_0$ (m)"}
+    style = {"colour": order - 1, "xlabel": "K (m/s²)", "ylabel": "amplitude at $\\omega_0$ (m)"}
     plotting.frequency_response(response, [f"order {order}"], axes=left, **style)
     _, own = response.branches  # rest, and the oscillator's own oscillation
     speed = np.where(own.modulus > 0, 1 + own.drift, np.nan)
-    right.plot(own.parameter, speed, color=plotting.COLOURS[2 - order], lw=1.6)
+    look = {"color": plotting.COLOURS[order - 1], "lw": plotting.WIDTHS[order - 1]}
+    right.plot(own.parameter, speed, **look)
 
 swinging = np.linspace(0.5, 3, 11)
 values = {str(symbol): number for symbol, number in hard_numbers.items()}
@@ -242,9 +238,9 @@ assert forced.stable
 path = mg.orbits.follow(forced.problem, forced, K, 3.0)
 (quenched,) = path.specials
 assert quenched.kind == "Neimark-Sacker"
-left.plot(quenched.value, 0, "k^", ms=6, clip_on=False, label="exact Neimark–Sacker point")
-left.legend(frameon=False, fontsize="small")
-_ = right.set(xlabel="K (m/s²)", ylabel="frequency of that oscillation (rad/s)")
+left.plot(quenched.value, 0, "k^", ms=4, zorder=5, label="exact Neimark–Sacker point")
+right.set(xlabel="K (m/s²)", ylabel="frequency of that oscillation (rad/s)")
+_ = plotting.shared_legend([left, right])
 
 # %% [markdown]
 # ## 6. Certificates

@@ -197,6 +197,7 @@ def test_every_formula_of_the_notebook_has_its_brackets() -> None:
 
 def test_figures_and_tables_are_there() -> None:
     kinds = [set(o.get("data", {})) for o in outputs()]
-    assert sum("image/png" in k for k in kinds) == 2
-    assert (ROOT / "docs" / "figures" / "ground_resonance.png").is_file()
+    assert sum("image/png" in k for k in kinds) == 3  # convergence, growth rate, chart
+    for name in ("ground_resonance", "ground_resonance_chart"):
+        assert (ROOT / "docs" / "figures" / f"{name}.png").is_file()
     assert sum("text/html" in k for k in kinds) >= 3  # resonances to order 1, to 2, and ranked

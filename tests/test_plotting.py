@@ -55,20 +55,26 @@ def test_growth_rates_on_new_axes() -> None:
     texts = [text.get_text() for text in axes.get_legend().get_texts()]
     assert texts.count("unstable (Floquet)") == 1
     assert axes.get_xlim() == (4.0, 6.0)
-    assert axes.get_ylim()[0] == 0
+    # Zero growth is in sight, and so is what is drawn later.
+    assert axes.get_ylim()[0] < 0
+    plotting.growth_rates(SPEEDS, REFERENCE, {"fast": 9 + SPEEDS}, axes=axes)
+    assert axes.get_ylim()[1] > 15
     spans = [patch.get_extents().transformed(axes.transData.inverted()) for patch in axes.patches]
     # transformed to pixels and back, which rounds
     np.testing.assert_allclose([(s.x0, s.x1) for s in spans], zones, rtol=1e-12)
 
 
 def test_convergence_on_new_axes() -> None:
-    axes = plotting.convergence([certificate(1), certificate(2)])
+    axes = plotting.convergence([certificate(1), certificate(2, "none")])
     points, slopes = axes.get_lines()[::2], axes.get_lines()[1::2]
     assert [p.get_label() for p in points] == [
-        "Omega = 2*omega, order 1: 2.00",
-        "Omega = 2*omega, order 2: 3.00",
+        r"$\Omega = 2 \omega$, order 1: $\varepsilon^{2.00}$",
+        r"non-resonant, order 2: $\varepsilon^{3.00}$",
     ]
+    legend = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert legend == [*(p.get_label() for p in points), "exponent of the theory"]
     assert points[0].get_color() != points[1].get_color()
+    assert points[0].get_marker() != points[1].get_marker()
     for order, line in zip((1, 2), slopes, strict=True):
         x, y = (np.log(line.get_xdata()), np.log(line.get_ydata()))
         # a straight line through rounded logarithms
@@ -79,9 +85,28 @@ def test_convergence_on_new_axes() -> None:
 
 def test_convergence_of_another_quantity_with_labels() -> None:
     axes = plotting.convergence([certificate(1)], ["mine"], quantity="edges of the zone")
-    assert axes.get_lines()[0].get_label() == "mine: 2.00"
+    assert axes.get_lines()[0].get_label() == r"mine: $\varepsilon^{2.00}$"
     assert axes.get_lines()[0].get_ydata()[0] == 0.5 * EPSILONS[0] ** 2
     assert axes.get_ylabel() == "error of the edges of the zone (1/s)"
+
+
+def test_relations_are_typeset() -> None:
+    """With every name that a relation can hold, in what Matplotlib understands."""
+    relation = "2*Omega = omega_x + 3*omega_phi, nu = omega_1/2"
+    axes = plotting.convergence([certificate(2, relation)])
+    label = axes.get_lines()[0].get_label()
+    assert r"$2 \Omega = \omega_{x} + 3 \omega_{\phi}, \nu = \omega_{1}/2$, order 2" in label
+    axes.figure.canvas.draw()
+
+
+def test_an_order_has_the_same_colour_in_all_figures() -> None:
+    (line, _) = plotting.convergence([certificate(2)]).get_lines()
+    drawn = plotting.growth_rates(SPEEDS, REFERENCE, {k: SPEEDS for k in ("order 1", "order 2")})
+    assert line.get_color() == drawn.get_lines()[1].get_color() == plotting.COLOURS[1]
+
+
+def test_no_fit_of_the_quantity() -> None:
+    assert plotting.convergence([certificate(1)], quantity="nothing").get_legend() is None
 
 
 def test_given_axes_leave_no_state_behind() -> None:

@@ -50,9 +50,9 @@ def test_stability_chart() -> None:
     # Both edges of a zone, the second one without an entry of its own in the legend.
     assert [text.get_text() for text in axes.get_legend().get_texts()] == [
         "unstable (Floquet)",
-        "undecided (Floquet)",
         "order 1",
         "order 2",
+        "undecided (Floquet)",
     ]
     assert np.array_equal(lines["order 1"].get_xdata(), 0.5 * edges[:, 0])
     assert np.array_equal(lines["order 1"].get_ydata(), f)
@@ -115,7 +115,19 @@ def test_frequency_response_tells_stable_from_unstable() -> None:
     filled, empty = lines["periodic orbits, stable"], lines["periodic orbits, unstable"]
     assert filled.get_markerfacecolor() == "black" and empty.get_markerfacecolor() == "none"
     assert filled.get_xydata().tolist() == [[0.0, 0.51]]
-    assert axes.get_xlabel() == "sigma" and axes.get_ylim()[0] == 0
+    assert axes.get_xlabel() == "sigma"
+    orbits = {filled.get_marker(), empty.get_marker(), *plotting.MARKERS}
+    assert not orbits & {fold.get_marker(), hopf.get_marker()}
+
+
+def test_ordinates_reach_zero_and_whatever_comes_later() -> None:
+    low = response()._replace(bifurcations=())
+    axes = plotting.frequency_response(low, ["x", None], axes=new_axes())
+    assert axes.get_ylim()[0] < 0 < 0.9 < axes.get_ylim()[1] < 1
+    (branch,) = low.branches
+    high = low._replace(branches=(branch._replace(amplitudes=3 * branch.amplitudes),))
+    plotting.frequency_response(high, ["x", None], axes=axes)
+    assert axes.get_ylim()[0] < 0 and 2.7 < axes.get_ylim()[1] < 3
 
 
 def test_responses_of_two_orders_share_axes() -> None:
@@ -123,6 +135,8 @@ def test_responses_of_two_orders_share_axes() -> None:
     plotting.frequency_response(response(), ["order 2", None], colour=1, axes=axes)
     lines = lines_of(axes)
     assert lines["order 1"].get_color() != lines["order 2"].get_color()
+    # Apart in grey, and the first one in sight below the second.
+    assert lines["order 1"].get_linewidth() > 1.5 * lines["order 2"].get_linewidth()
     shown = [text.get_text() for text in axes.get_legend().get_texts()]
     assert len(shown) == len(set(shown)) == 6
     assert {"saddle-node", "Hopf"} < set(shown)
@@ -156,6 +170,36 @@ def test_backbone_goes_into_a_response() -> None:
     assert axes.get_xlabel() == "sigma"
     own = plotting.backbone(curves, axes=new_axes())
     assert own.get_xlabel() == "detuning (rad/s)"
+
+
+# --- legends -------------------------------------------------------------------------------------
+
+
+def test_panels_share_a_legend() -> None:
+    figure = Figure(layout="constrained")
+    left, right = panels = figure.subplots(1, 2)
+    points = [(0.0, [0.51], True)]
+    only = Response("sigma", response().branches, ())
+    plotting.frequency_response(response(), ["order 1", None], points=points, axes=left)
+    plotting.frequency_response(only, ["order 1", None], axes=right)
+    plotting.frequency_response(only, ["order 2", None], colour=1, axes=right)
+    legend = plotting.shared_legend(panels, 3)
+    assert left.get_legend() is None and right.get_legend() is None
+    # Lines first, then markers.
+    assert [text.get_text() for text in legend.get_texts()] == [
+        "order 1",
+        "order 1, unstable",
+        "order 2",
+        "order 2, unstable",
+        "saddle-node",
+        "Hopf",
+        "periodic orbits, stable",
+    ]
+    figure.draw_without_rendering()
+    below = legend.get_window_extent()
+    assert all(below.y1 <= axes.get_tightbbox().y0 for axes in panels)
+    with pytest.raises(MmsgenError, match="at least one panel"):
+        plotting.shared_legend([])
 
 
 # --- motions --------------------------------------------------------------------------------------

@@ -52,7 +52,7 @@ def stability_chart(
     MmsgenError
         If the arrays of a boundary do not belong together.
     """
-    axes = on_axes(axes, (6.0, 4.2))
+    axes = on_axes(axes, (4.8, 3.6))
     x, y = scale[0] * chart.x, scale[1] * chart.y
     unstable = chart.growth.verdict == "unstable"
     rates = np.ma.masked_array(chart.growth.value, ~unstable)
@@ -68,6 +68,8 @@ def stability_chart(
         shading="nearest",
         rasterized=True,
     )
+    if unstable.any():  # what stands for the shading in a legend
+        axes.fill([], [], facecolor="0.75", label="unstable (Floquet)")
     unknown = chart.computed & (chart.growth.verdict == "undecided")
     if unknown.any():
         rows, columns = np.nonzero(unknown)
@@ -77,14 +79,8 @@ def stability_chart(
     axes.set(xlabel=xlabel or chart.x_name, ylabel=ylabel or chart.y_name)
     axes.set_xlim(float(x.min()), float(x.max()))
     axes.set_ylim(float(y.min()), float(y.max()))
-    return with_legend(axes, *([_patch()] if unstable.any() else []))
-
-
-def _patch() -> Any:
-    """What stands for the shading in the legend."""
-    from matplotlib.patches import Patch
-
-    return Patch(facecolor="0.75", label="unstable (Floquet)")
+    # Above the axes, which the zones fill.
+    return with_legend(axes, ncols=4, loc="lower right", bbox_to_anchor=(1.0, 1.0))
 
 
 def _curves(axes: Axes, label: str, x: Any, y: Any, k: int) -> None:
@@ -95,5 +91,5 @@ def _curves(axes: Axes, label: str, x: Any, y: Any, k: int) -> None:
             f"the boundary {label!r} needs arrays of the shapes (m,) and (m,) or (m, curves), "
             f"got {x.shape} and {y.shape}"
         )
-    lines = axes.plot(x, y, lw=1.6, **line_style(k))
+    lines = axes.plot(x, y, **line_style(k))
     lines[0].set_label(label)

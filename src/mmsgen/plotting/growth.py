@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import sympy as sp
 
-from .style import COLOURS, MARKERS, line_style, on_axes
+from .style import COLOURS, MARKERS, line_style, on_axes, show_zero, with_legend
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -47,14 +49,13 @@ def growth_rates(
         label = "unstable (Floquet)" if k == 0 else None
         axes.axvspan(low, high, color="0.9", lw=0, label=label)
     for k, (label, values) in enumerate(curves.items()):
-        axes.plot(speeds, values, lw=1.6, label=label, **line_style(k))
+        axes.plot(speeds, values, label=label, **line_style(k))
     x, y = reference
     axes.plot(x, y, "o", ms=3.2, mfc="none", mec="black", mew=0.7, label="Floquet")
     axes.set(xlabel=xlabel, ylabel="growth rate (1/s)")
     axes.set_xlim(float(np.min(speeds)), float(np.max(speeds)))
-    axes.set_ylim(bottom=0)
-    axes.legend(frameon=False, fontsize="small")
-    return axes
+    show_zero(axes)
+    return with_legend(axes)
 
 
 def convergence(
@@ -66,6 +67,8 @@ def convergence(
 ) -> Axes:
     """Error against ε in logarithmic scales, with the slope that the theory demands.
 
+    The legend tells the exponent that is fitted to the points.
+
     Parameters
     ----------
     certificates : sequence of Certificate
@@ -76,30 +79,36 @@ def convergence(
     axes : matplotlib.axes.Axes, optional
         Where to draw; a new figure by default.
     """
-    axes = on_axes(axes, (5.6, 4.2))
-    orders = sorted({c.order for c in certificates})
+    from matplotlib.lines import Line2D
+
+    axes = on_axes(axes, (4.8, 3.7))
     for k, c in enumerate(certificates):
-        label = labels[k] if labels else f"{c.relation}, order {c.order}"
+        label = labels[k] if labels else f"{_mathtext(c.relation)}, order {c.order}"
+        colour = COLOURS[(c.order - 1) % len(COLOURS)]
+        style: dict[str, Any] = {"ms": 4.5, "mfc": "none", "color": colour}
         for fit in c.fits:
             if fit.quantity != quantity:
                 continue
             e = np.array(fit.epsilons)[list(fit.resolved)]
             x = np.array(fit.errors)[list(fit.resolved)]
-            colour = COLOURS[orders.index(c.order) % len(COLOURS)]
-            axes.loglog(
-                e,
-                x,
-                MARKERS[k % len(MARKERS)],
-                ms=4,
-                mfc="none",
-                color=colour,
-                label=f"{label}: {fit.exponent:.2f}",
-            )
-            axes.loglog(e, x[-1] * (e / e[-1]) ** fit.theory, lw=0.8, color=colour)
+            text = rf"{label}: $\varepsilon^{{{fit.exponent:.2f}}}$"
+            axes.loglog(e, x, MARKERS[k % len(MARKERS)], label=text, **style)
+            axes.loglog(e, x[-1] * (e / e[-1]) ** fit.theory, lw=0.9, color=colour)
     unit = "" if quantity.startswith("motions") else " (1/s)"
     axes.set(xlabel="ε", ylabel=f"error of the {quantity}{unit}")
     low, high = axes.get_xlim()
     if high < 50 * low:  # too few decades to be labelled
         axes.set_xscale("log", base=2)
-    axes.legend(frameon=False, fontsize="x-small")
+    handles = axes.get_legend_handles_labels()[0]
+    if handles:
+        slope = Line2D([], [], lw=0.9, color="black", label="exponent of the theory")
+        axes.legend(handles=[*handles, slope], frameon=False, fontsize="small")
     return axes
+
+
+def _mathtext(relation: str) -> str:
+    """A resonance relation as Matplotlib typesets it."""
+    if "=" not in relation:
+        return "non-resonant"
+    names = re.sub(r"[^\W\d]\w*", lambda name: sp.latex(sp.Symbol(name[0])), relation)
+    return f"${names.replace('*', ' ')}$"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..errors import MmsgenError
-from .style import COLOURS, MARKERS, on_axes, with_legend
+from .style import COLOURS, MARKERS, WIDTHS, on_axes, show_zero, with_legend
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
 __all__ = ["backbone", "frequency_response"]
 
-_KINDS = {"saddle-node": "o", "pitchfork": "s", "transcritical": "D", "Hopf": "^"}
-"""Markers of bifurcations."""
+_KINDS = {"saddle-node": "D", "pitchfork": "P", "transcritical": "X", "Hopf": "*"}
+"""Markers of bifurcations, none of which is one of orbits."""
+_SIZES = {"D": 5.0, "P": 6.5, "X": 6.5, "*": 9.0}
 
 
 def frequency_response(
@@ -32,7 +33,7 @@ def frequency_response(
     ylabel: str = "amplitude",
     axes: Axes | None = None,
 ) -> Axes:
-    """Amplitudes of all equilibria over a parameter, a colour for each coordinate.
+    """Amplitudes of all equilibria over a parameter, a colour and width for each coordinate.
 
     Stable branches are solid, unstable ones dashed. Bifurcations have markers by their kind.
     Responses of several orders share axes if each begins with a colour of its own.
@@ -48,7 +49,7 @@ def frequency_response(
     scale : float
         Factor of the parameter.
     colour : int
-        Place of the first coordinate's colour in `COLOURS`.
+        Place of the first coordinate's colour and width in `COLOURS` and `WIDTHS`.
     xlabel : str, optional
         By default the name of the parameter.
     ylabel : str
@@ -60,7 +61,7 @@ def frequency_response(
     MmsgenError
         If there is not one name for each coordinate.
     """
-    axes = on_axes(axes, (6.4, 4.2))
+    axes = on_axes(axes, (4.8, 3.6))
     count = _coordinates(response, points)
     labels: list[str | None] = [f"a_{j + 1}" for j in range(count)] if names is None else [*names]
     if len(labels) != count:
@@ -71,12 +72,13 @@ def frequency_response(
             x, y = _pieces(response.branches, j, stable)
             if len(x):
                 which = "" if stable else ", unstable"
-                own, label = COLOURS[(colour + j) % len(COLOURS)], f"{labels[j]}{which}"
-                axes.plot(scale * x, y, lw=1.6, label=label, color=own, ls=dash)
+                place, label = colour + j, f"{labels[j]}{which}"
+                (line,) = axes.plot(scale * x, y, label=label, ls=dash)
+                line.set(color=COLOURS[place % len(COLOURS)], lw=WIDTHS[place % len(WIDTHS)])
     _bifurcations(axes, response, drawn, scale)
     _orbits(axes, points, drawn, scale)
     axes.set(xlabel=xlabel or response.name, ylabel=ylabel)
-    axes.set_ylim(bottom=0)
+    show_zero(axes)
     return with_legend(axes)
 
 
@@ -90,7 +92,7 @@ def _bifurcations(axes: Axes, response: Response, drawn: Sequence[int], scale: f
             y = np.array([b.modulus[drawn] for b in own]).ravel()
             style: dict[str, Any] = {"mfc": "white", "mec": "black", "mew": 0.9}
             label = None if kind in known else kind
-            axes.plot(x, y, marker, ms=5, ls="", zorder=4, label=label, **style)
+            axes.plot(x, y, marker, ms=_SIZES[marker], ls="", zorder=4, label=label, **style)
 
 
 def _coordinates(response: Response, points: Sequence[tuple[Any, Any, Any]]) -> int:
@@ -157,7 +159,7 @@ def backbone(
     axes : matplotlib.axes.Axes, optional
         Where to draw; a new figure by default.
     """
-    axes = on_axes(axes, (5.6, 4.2))
+    axes = on_axes(axes, (4.8, 3.6))
     dashes: tuple[Any, ...] = ((0, (6, 2, 1, 2)), (0, (2, 2)), (0, (6, 2)), "-")
     for k, (label, (x, y)) in enumerate(curves.items()):
         axes.plot(x, y, lw=1.0, color="black", ls=dashes[k % len(dashes)], label=label)
