@@ -130,8 +130,11 @@ def same_answer(flow: Flow, coefficients, p, width: float) -> Response:
         assert again == pytest.approx(own, abs=1e-10 * width)
         assert len(after.branches) == len(before.branches)
         for branch in after.branches:
-            left = rates(flow, coefficients(branch.parameter), branch.amplitudes)
-            assert np.abs(left).max() < 1e-13 * np.abs(coefficients(branch.parameter)).max() * 10
+            c = coefficients(branch.parameter)
+            left = rates(flow, c, branch.amplitudes)
+            # A fold that is 2e-13 of the range from a given value is taken to be there.
+            snapped = 2e-13 * width * np.abs(branch.amplitudes).max()
+            assert np.abs(left).max() < 1e-12 * np.abs(c).max() + snapped
     return before
 
 
@@ -170,6 +173,89 @@ def test_random_folds_among_the_values(seed: int) -> None:
     p = np.linspace(-0.2 * peak, 1.2 * peak, int(numbers.integers(20, 400)))
     response = same_answer(DRIVEN, coefficients, p, 1.4 * peak)
     assert [b.kind for b in response.bifurcations] == ["saddle-node"] * 2
+
+
+def folds_of(force: float, damping: float, cubic: float) -> list[float]:
+    """Where s(ρ) = cρ + √(f²/ρ − μ²) has its extrema: 4c²ρ³(f² − μ²ρ) = f⁴."""
+    roots = np.roots([damping**2, -(force**2), 0.0, 0.0, force**4 / (4 * cubic**2)])
+    rho = roots[(np.abs(roots.imag) < 1e-6 * np.abs(roots)) & (roots.real > 0)].real
+    return sorted(cubic * rho + np.sqrt(np.maximum(force**2 / rho - damping**2, 0.0)))
+
+
+@pytest.mark.parametrize("sharp", [1e2, 1e3, 1e4, 1e5])
+@pytest.mark.parametrize("count", [63, 377])
+def test_sheets_of_sharp_peaks(sharp: float, count: int) -> None:
+    """The peak is `sharp` half-widths from zero: one branch, two folds, whatever is given.
+
+    Lengths along the curve are over the amplitudes there, which grow a hundredfold.
+    """
+    force, cubic = 0.05, 1.5
+    damping = (cubic * force**2 / sharp) ** (1 / 3)
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        return np.stack([-1j * force * one, -damping - 1j * s, 1j * cubic * one], axis=-1)
+
+    peak = cubic * (force / damping) ** 2
+    p = np.linspace(-0.2 * peak, 1.2 * peak, count)
+    response = same_answer(DRIVEN, coefficients, p, 1.4 * peak)
+    assert [b.kind for b in response.bifurcations] == ["saddle-node"] * 2
+    # The upper one is 1/(8·sharp) of a half-width from the peak: a double root in doubles.
+    exact = pytest.approx(folds_of(force, damping, cubic), abs=1e-7 * peak)
+    assert [b.parameter for b in response.bifurcations] == exact
+    (branch,) = response.branches
+    inner = p[(p > response.bifurcations[0].parameter) & (p < response.bifurcations[1].parameter)]
+    assert all(np.sum(branch.parameter == x) == (3 if x in inner else 1) for x in p)
+
+
+def symmetric_pair() -> tuple[Flow, Callable[[Any], Any]]:
+    """Two alike Duffing oscillators, coupled and driven alike."""
+    first = [(0, 0, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 0, 0, 0, 0, 0), (2, 1, 0, 0, 0, 0)]
+    second = [e[3:] + e[:3] for e in first]
+    flow = Flow(2, (*((0, e) for e in first), *((1, e) for e in second)))
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        own = [-0.05j * one, -0.04j * one, -0.02 + 0.04j - 1j * s, 1.5j * one]
+        return np.stack([*own, *own], axis=-1)
+
+    return flow, coefficients
+
+
+def pitchforks_of_the_pair() -> list[float]:
+    """In phase B solves Duffing's equation; a disturbance out of phase is neutral there.
+
+    It obeys b' = (−μ + i(2k − σ) + 2icρ)b + icB²b̄, so that it is neutral where
+    μ² + (2k − σ + 2cρ)² = c²ρ²: with σ = cρ ± √(f²/ρ − μ²), polynomials in ρ once it is squared.
+    """
+    mu, k, c, f = 0.02, 0.04, 1.5, 0.05
+    found = []
+    for sign in (1.0, -1.0):
+        rho = np.linspace(1e-4, f**2 / mu**2 - 1e-9, 400_001)
+        root = np.sqrt(f**2 / rho - mu**2)
+        value = mu**2 + (2 * k + c * rho - sign * root) ** 2 - (c * rho) ** 2
+        change = np.flatnonzero(value[1:] * value[:-1] < 0)
+        at = rho[change] - value[change] * np.diff(rho)[change] / np.diff(value)[change]
+        found += list(c * at + sign * np.sqrt(f**2 / at - mu**2))
+    return sorted(found)
+
+
+def test_curves_that_cross_each_other() -> None:
+    """A pair that is symmetric: branches out of phase leave the other at pitchforks."""
+    flow, coefficients = symmetric_pair()
+    p = np.linspace(-1.0, 10.0, 60)
+    before = response_of(flow, coefficients, p)
+    own = [b.parameter for b in before.bifurcations]
+    after = response_of(flow, coefficients, np.union1d(p, own))
+    assert [b.kind for b in after.bifurcations] == [b.kind for b in before.bifurcations]
+    assert len(after.branches) == len(before.branches) == 2
+    for response in (before, after):
+        forks = [b for b in response.bifurcations if b.kind == "pitchfork"]
+        # Linear interpolation on 4·10^5 values: errors of 1e-9 of the range.
+        assert [b.parameter for b in forks] == pytest.approx(pitchforks_of_the_pair(), abs=1e-7)
+        for b in forks:
+            # Along the null vector: the rounding over the smallest singular value that counts.
+            assert b.amplitudes[0] == pytest.approx(b.amplitudes[1], abs=1e-7)
 
 
 @pytest.mark.parametrize("count", [9, 80])

@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Curve
 from ._charts import equations, unpack
+from ._curves import Curve
 from ._flow import Flow, jacobian, spectrum, wirtinger
-from ._paths import solve
 from ._records import Bifurcation
 
 if TYPE_CHECKING:
@@ -20,6 +19,12 @@ __all__ = ["Points", "bifurcations", "points_of"]
 
 NEUTRAL = 1e-11
 """An eigenvalue, or a sum of two, that is smaller than the others by this is zero."""
+
+SINGULAR = 1e-9
+"""Singular values of a Jacobian below this, over the largest, are zero."""
+
+LOCATED = 1e-14
+"""The same for the place of a bifurcation, where its sign is looked for to the last digits."""
 
 
 class Points(NamedTuple):
@@ -64,6 +69,7 @@ def points_of(
     x: NDArray[np.float64],
     fold: NDArray[np.bool_],
     given: NDArray[np.bool_],
+    neutral: float = NEUTRAL,
 ) -> Points:
     """Amplitudes and eigenvalues at points of a curve."""
     place = curve.place
@@ -75,25 +81,25 @@ def points_of(
         drift = rate @ np.array(place.mixing)
     c = curve.coefficients(p)
     if flow.n == 1:
-        growth, steady, swinging = _planar(flow, c, whole, drift)
+        growth, steady, swinging = _planar(flow, c, whole, drift, neutral)
     else:
         values = spectrum(flow, c, whole, drift if len(flow.symmetries) else None)
         growth = values[:, 0].real
-        steady, swinging = _products(values)
+        steady, swinging = _products(values, neutral)
     # At a fold an eigenvalue is zero; the square root of the rounding is left of it.
     growth[fold & (np.abs(growth) <= 1e-6 * np.abs(growth).max(initial=0.0))] = 0.0
     return Points(p, whole, drift, growth, x, steady, swinging, fold, given)
 
 
 def _planar(
-    flow: Flow, c: NDArray[Any], b: NDArray[Any], drift: NDArray[Any]
+    flow: Flow, c: NDArray[Any], b: NDArray[Any], drift: NDArray[Any], neutral: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Growth, product and sum of the eigenvalues of one amplitude."""
     j = jacobian(flow, c, b, drift if len(flow.symmetries) else None)
     half = 0.5 * (j[:, 0, 0] + j[:, 1, 1])
     product = j[:, 0, 0] * j[:, 1, 1] - j[:, 0, 1] * j[:, 1, 0]
     size = np.abs(j).max(axis=(1, 2))
-    swinging = np.where(np.abs(half) > NEUTRAL * size, half, 0.0)
+    swinging = np.where(np.abs(half) > neutral * size, half, 0.0)
     if flow.symmetries:
         turned = b[:, 0] != 0.0
         growth = np.where(turned, 2.0 * half, half)
@@ -102,21 +108,21 @@ def _planar(
     with np.errstate(all="ignore"):
         # Without cancellation where the product is small.
         growth = np.where((half < 0.0) & (root > 0.0), product / (half - root), half + root)
-    return growth, np.where(np.abs(product) > NEUTRAL * size**2, product, 0.0), swinging
+    return growth, np.where(np.abs(product) > neutral * size**2, product, 0.0), swinging
 
 
-def _products(values: NDArray[np.complex128]) -> tuple[NDArray[Any], NDArray[Any]]:
+def _products(values: NDArray[np.complex128], neutral: float) -> tuple[NDArray[Any], NDArray[Any]]:
     """The product of the eigenvalues, and that of the sums of pairs; NaN ones left out."""
     there = np.isfinite(values)
     size = np.where(there, np.abs(values), 0.0).max(axis=1, initial=0.0)
     size = np.where(size > 0.0, size, 1.0)
     own = np.where(there, values / size[:, None], 1.0)
     steady = np.prod(own, axis=1).real
-    steady[np.abs(own).min(axis=1, initial=1.0) < NEUTRAL] = 0.0
+    steady[np.abs(own).min(axis=1, initial=1.0) < neutral] = 0.0
     first, second = np.triu_indices(values.shape[1], 1)
     sums = np.where(there[:, first] & there[:, second], own[:, first] + own[:, second], 1.0)
     swinging = np.prod(sums, axis=1).real
-    swinging[np.abs(sums).min(axis=1, initial=1.0) < NEUTRAL] = 0.0
+    swinging[np.abs(sums).min(axis=1, initial=1.0) < neutral] = 0.0
     return steady, swinging
 
 
@@ -124,10 +130,14 @@ def _products(values: NDArray[np.complex128]) -> tuple[NDArray[Any], NDArray[Any
 
 
 class _Mark(NamedTuple):
-    """A bifurcation, and how well its place is known: the smaller the rank the better."""
+    """A bifurcation, how well its place is known, and whether a curve turns there.
+
+    The smaller the rank the better.
+    """
 
     point: Bifurcation
     rank: int
+    turns: bool = False
 
 
 def bifurcations(
@@ -152,17 +162,23 @@ def bifurcations(
     kept: list[Bifurcation] = []
     for mark in marks:
         b = mark.point
-        for other in kept:
-            near = abs(b.parameter - other.parameter) < 1e-6 * width
-            gap = np.abs(np.abs(b.amplitudes) - np.abs(other.amplitudes)).max()
-            # Along a pitchfork amplitudes go like the square root of the distance.
-            if near and gap < 3e-3 * size and b.kind == other.kind:
-                break
-        else:
+        same = [k for k, other in enumerate(kept) if _same(b, other, size, width)]
+        if not same:
             kept.append(b)
+        elif mark.turns and kept[same[0]].kind == "transcritical":
+            # One curve turns where it meets another: whatever the curvature there seems to be.
+            kept[same[0]] = kept[same[0]]._replace(kind="pitchfork")
     return tuple(
         sorted(kept, key=lambda b: (b.parameter, b.kind, float(np.abs(b.amplitudes).sum())))
     )
+
+
+def _same(b: Bifurcation, other: Bifurcation, size: float, width: float) -> bool:
+    """Whether two are one, both of them Hopf points or neither."""
+    near = abs(b.parameter - other.parameter) < 1e-6 * width
+    gap = np.abs(np.abs(b.amplitudes) - np.abs(other.amplitudes)).max()
+    # Along a pitchfork amplitudes go like the square root of the distance.
+    return bool(near and gap < 3e-3 * size and (b.kind == "Hopf") == (other.kind == "Hopf"))
 
 
 def _at_fold(flow: Flow, curve: Curve, points: Points, k: int) -> _Mark:
@@ -176,7 +192,7 @@ def _at_fold(flow: Flow, curve: Curve, points: Points, k: int) -> _Mark:
         kind = "saddle-node"
     p = float(here.parameter[0])
     point = Bifurcation(kind, p, here.amplitudes[0], here.drift[0], 0.0)
-    return _Mark(point, 0 if kind == "saddle-node" else 2)
+    return _Mark(point, 2, True)
 
 
 def _turns(curve: Curve, here: Points, left: NDArray[np.float64], size: float) -> bool:
@@ -221,10 +237,15 @@ def _located(flow: Flow, curve: Curve, points: Points, a: int, b: int, which: in
         with np.errstate(all="ignore"):
             for _ in range(6 if x.shape[1] else 0):
                 f, matrices = equations(curve.place, c, *unpack(curve.place, x))
-                step = solve(matrices, f[..., None])[..., 0]
-                x = x - np.where(np.isfinite(step), step, 0.0)
+                if not np.isfinite(matrices).all():
+                    break
+                # Nothing but rounding would lead along the null vector of a singular one.
+                step = (np.linalg.pinv(matrices, rcond=SINGULAR) @ f[..., None])[..., 0]
+                x = x - step
+                if np.abs(step).max() <= 1e-15 * np.abs(x).max():
+                    break
         no = np.zeros(1, bool)
-        return points_of(flow, curve, np.array([p]), x, no, no)
+        return points_of(flow, curve, np.array([p]), x, no, no, LOCATED)
 
     def value(points: Points) -> float:
         return float((points.steady, points.swinging)[which][0])

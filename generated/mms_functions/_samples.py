@@ -6,9 +6,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Curve, across, turning
+from ._arcs import steps_of
 from ._bows import Bow, bows
 from ._charts import Chart, equations, unpack
+from ._curves import Curve, across, turning
 from ._nets import Link, Net
 from ._paths import solve
 
@@ -44,19 +45,11 @@ class Samples(NamedTuple):
 
 def _bows(links: list[Link]) -> tuple[Bow, NDArray[Any], NDArray[np.int64], NDArray[np.float64]]:
     """Steps of all links, their scales, their links and their places along these."""
-    first, slope, last, end, scale, owner, place = [], [], [], [], [], [], []
-    for k, link in enumerate(links):
-        arc = link.arc
-        first.append(arc.points[:-1])
-        slope.append(arc.tangents[:-1])
-        last.append(arc.points[1:])
-        end.append(arc.tangents[1:])
-        steps = len(arc.points) - 1
-        scale.append(np.repeat(arc.scale[None], steps, axis=0))
-        owner.append(np.full(steps, k))
-        place.append(np.arange(steps, dtype=np.float64))
-    bow = bows(*(np.concatenate(x) for x in (first, slope, last, end)))
-    return bow, np.concatenate(scale), np.concatenate(owner), np.concatenate(place)
+    bow, scale = steps_of([link.arc for link in links])
+    number = [len(link.arc.scale) for link in links]
+    owner = np.repeat(np.arange(len(links)), number)
+    place = np.concatenate([np.arange(n, dtype=np.float64) for n in number])
+    return bow, scale, owner, place
 
 
 HALVINGS = 5
@@ -67,6 +60,9 @@ PROBES = 4
 
 AT_REST = 16
 """Points between two sections, at the least, where all amplitudes are zero."""
+
+SINGULAR = 1e-9
+"""Singular values of a Jacobian below this, over the largest, are zero."""
 
 AT_FOLD = 2e-13
 """A given value that is closer to a turn is there, over the range."""
@@ -213,7 +209,7 @@ def _polished(
     place: Chart, c: NDArray[Any], x: NDArray[np.float64], scale: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """Newton's method at given coefficients, each point until it is there."""
-    x = x.copy()
+    first, x = x, x.copy()
     own = c[:, list(place.columns)]
     todo = np.arange(len(x))
     with np.errstate(all="ignore"):
@@ -226,6 +222,13 @@ def _polished(
             x[todo[good]] += step[good]
             # Newton's method doubles the digits: what is left is below the rounding.
             todo = todo[good & (np.abs(step / scale[todo]).max(axis=1) > 1e-9)]
+        x[todo] = first[todo]
+        for _ in range(3 if len(todo) else 0):
+            # Where curves cross, nothing but rounding leads along the null vector.
+            f, matrices = equations(place, own[todo], *unpack(place, x[todo]))
+            finite = np.isfinite(matrices).all(axis=(1, 2))
+            todo, f, matrices = todo[finite], f[finite], matrices[finite]
+            x[todo] -= (np.linalg.pinv(matrices, rcond=SINGULAR) @ f[..., None])[..., 0]
     return x
 
 

@@ -39,6 +39,10 @@ ASIDE, BEYOND = 0.382, 1e-3
 """How far a section moves: of the way to the next value; at the ends, of the range."""
 
 
+FURTHER = (0.0, 0.1, 0.4)
+"""The same where it has to go further: of the way from there to the next section."""
+
+
 def sections_of(
     flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], Equilibria]:
@@ -56,22 +60,27 @@ def sections_of(
         return p, _solved(flow, numbers(p))
     values = _base(flow, numbers, p)
     sections, found = (_of_one if flow.n == 1 else _of_many)(flow, numbers, values)
+    first = sections.copy()
     bad = np.flatnonzero(_singular(flow, _extended(numbers, p, sections), found))
-    if not len(bad):
-        return sections, found
-    moved = sections.copy()
-    for k in bad:
-        if k in (0, len(sections) - 1):
-            moved[k] += (p[-1] - p[0]) * BEYOND * (-1.0 if k == 0 else 1.0)
-        else:
-            after = values[np.searchsorted(values, sections[k], side="right")]
-            moved[k] += ASIDE * (after - sections[k])
-    more = _solved(flow, _extended(numbers, p, moved[bad]))
-    rest = np.setdiff1d(np.arange(len(sections)), bad)
-    both = _together(_picked(found, rest), more)
-    places = np.concatenate((sections[rest], moved[bad]))
-    places, order = np.unique(places, return_index=True)
-    return places, _picked(both, order)
+    for further in FURTHER:
+        if not len(bad):
+            break
+        for k in bad:
+            if k in (0, len(first) - 1):
+                reach = (p[-1] - p[0]) * BEYOND * (-1.0 if k == 0 else 1.0)
+                sections[k] = first[k] + reach * (1.0 + 10.0 * further)
+            else:
+                after = values[np.searchsorted(values, first[k], side="right")]
+                after += further * (first[k + 1] - after)
+                sections[k] = first[k] + ASIDE * (after - first[k])
+        c = _extended(numbers, p, sections[bad])
+        more = _solved(flow, c)
+        rest = np.setdiff1d(np.arange(len(sections)), bad)
+        order = np.argsort(np.concatenate((rest, bad)))
+        found = _picked(_together(_picked(found, rest), more), order)
+        bad = bad[_singular(flow, c, more)]
+    sections, order = np.unique(sections, return_index=True)
+    return sections, _picked(found, order)
 
 
 def _base(

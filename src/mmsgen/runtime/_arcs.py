@@ -1,76 +1,38 @@
 """Curves of equilibria along a parameter, followed by their length, so that folds do not matter.
 
 Many pieces of curves are followed together, each from a point at one value of the parameter to
-where it first comes to one of two values again.
+where it first comes to one of two values again. A step counts where Newton's method contracts, the
+tangent turns little, and the orientation stays: of two sheets that nearly meet it is different.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ._bows import Bow, bows
-from ._charts import Chart, equations, unpack
-from ._flow import rates
-from ._paths import solve
+from ._charts import equations, unpack
+from ._curves import Curve, across, bordered, on_plane, turning
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Arc", "Curve", "across", "follow", "landed", "on_plane", "turning"]
-
-Coefficients = Callable[[Any], Any]
+__all__ = ["Arc", "follow", "landed", "steps_of"]
 
 LONGEST = 0.25
 SHORTEST = 1e-7
 ENOUGH = 400
 AIM = 1e-3
-STEP = 1e-6
-"""Of a difference for derivatives by the parameter, over its range: errors of 1e-10 and less."""
 
+ROUNDING = 1e-9
+"""What Newton's method may leave where it converges no more, close to where two curves cross."""
 
-class Curve(NamedTuple):
-    """Equations with a parameter p, in real unknowns over their scales.
+CROSSING = 1e-4
+"""Where two curves cross, the orientation changes, in a step that is as short as that."""
 
-    Attributes
-    ----------
-    place : Chart
-    coefficients : callable
-        p, shape (K,) → coefficients of the whole flow, shape (K, terms).
-    low, high : float
-        Ends of the range of p; beyond it the coefficients go on as straight lines.
-    """
-
-    place: Chart
-    coefficients: Coefficients
-    low: float
-    high: float
-
-    def at(self, p: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-        """The coefficients that occur in the chart, and their derivatives."""
-        inside = np.clip(p, self.low, self.high)
-        step = STEP * (self.high - self.low)
-        left, right = np.maximum(inside - step, self.low), np.minimum(inside + step, self.high)
-        every = self.coefficients(np.concatenate((inside, left, right)))
-        c, low, high = np.split(np.asarray(every)[:, list(self.place.columns)], 3)
-        slope = (high - low) / np.maximum(right - left, 1e-300)[:, None]
-        return c + slope * (p - inside)[:, None], slope
-
-    def system(
-        self, w: NDArray[np.float64], scale: NDArray[np.float64]
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """Values and derivatives at w = (x/scale, p/width), shapes (K, d) and (K, d, d + 1)."""
-        width = self.high - self.low
-        c, slope = self.at(w[:, -1] * width)
-        b, rate = unpack(self.place, w[:, :-1] * scale)
-        f, matrices = equations(self.place, c, b, rate)
-        by = 2.0 * rates(self.place.flow, slope, b) * width
-        out = np.empty((*matrices.shape[:-1], matrices.shape[-1] + 1))
-        out[..., :-1] = matrices * scale[:, None, :]
-        out[:, 0::2, -1], out[:, 1::2, -1] = by.real, by.imag
-        return f, out
+FLOOR = 0.1
+"""Lengths are over the largest amplitude, of the point or, times that, of all before it."""
 
 
 class Arc(NamedTuple):
@@ -79,32 +41,55 @@ class Arc(NamedTuple):
     Attributes
     ----------
     points : numpy.ndarray
-        w in the scale of this piece, shape (m, d + 1).
+        Real unknowns and p over its range, shape (m, d + 1).
     tangents : numpy.ndarray
-        Of length one, the same shape.
+        In the same coordinates, of any length, the same shape.
     scale : numpy.ndarray
-        Shape (d,).
+        Of the unknowns in each step, shape (m − 1, d).
     side : int
         −1 or 1 where it ended at the lower or the upper value, 0 where it could not be followed.
+    orientation : float
+        At the end, as of `bordered`.
     """
 
     points: NDArray[np.float64]
     tangents: NDArray[np.float64]
     scale: NDArray[np.float64]
     side: int
+    orientation: float
 
 
-def _bordered(
-    curve: Curve, w: NDArray[Any], scale: NDArray[Any], tangent: NDArray[Any]
-) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Newton's step across the tangent, and the tangent of the curve."""
-    f, matrices = curve.system(w, scale)
-    k, d = f.shape
-    full = np.concatenate((matrices, tangent[:, None, :]), axis=1)
-    right = np.zeros((k, d + 1, 2))
-    right[:, :d, 0], right[:, d, 1] = -f, 1.0
-    both = solve(full, right)
-    return both[..., 0], both[..., 1] / np.linalg.norm(both[..., 1], axis=1)[:, None]
+def steps_of(arcs: list[Arc], which: slice = slice(None)) -> tuple[Bow, NDArray[np.float64]]:
+    """Steps of all pieces, or some steps of each, over their scales, and these."""
+    scale = np.concatenate([a.scale[which] for a in arcs])
+    ends = [
+        np.concatenate([part[which] for part in parts])
+        for parts in (
+            [a.points[:-1] for a in arcs],
+            [a.tangents[:-1] for a in arcs],
+            [a.points[1:] for a in arcs],
+            [a.tangents[1:] for a in arcs],
+        )
+    ]
+    first, slope, last, end = (_over(x, scale) for x in ends)
+    return bows(first, _unit(slope), last, _unit(end)), scale
+
+
+def _over(x: NDArray[np.float64], scale: NDArray[np.float64]) -> NDArray[np.float64]:
+    out = x.copy()
+    out[..., :-1] /= scale
+    return out
+
+
+def _times(w: NDArray[np.float64], scale: NDArray[np.float64]) -> NDArray[np.float64]:
+    out = w.copy()
+    out[..., :-1] *= scale
+    return out
+
+
+def _unit(t: NDArray[np.float64]) -> NDArray[np.float64]:
+    size: NDArray[np.float64] = np.linalg.norm(t, axis=-1)[..., None]
+    return t / np.where(size > 0.0, size, 1.0)
 
 
 def follow(
@@ -113,6 +98,7 @@ def follow(
     p: NDArray[np.float64],
     direction: NDArray[np.float64],
     bounds: tuple[NDArray[np.float64], NDArray[np.float64]],
+    care: float = 1.0,
 ) -> list[Arc]:
     """Pieces of curves from given points until p leaves its bounds.
 
@@ -127,80 +113,126 @@ def follow(
         1 or −1: which way p goes at first, shape (K,).
     bounds : tuple of numpy.ndarray
         Lower and upper values, shape (K,) each; p is one of them.
+    care : float
+        By which steps are shorter.
     """
     width = curve.high - curve.low
-    size = np.maximum(np.abs(x).max(axis=1, initial=0.0), 1e-300)
+    drifts = [2 * pivot + 1 for pivot in curve.place.pivots]
+    amplitudes = np.setdiff1d(np.arange(x.shape[1]), drifts)
+    size = np.maximum(np.abs(x[:, amplitudes]).max(axis=1, initial=0.0), 1e-300)
     scale = np.repeat(size[:, None], x.shape[1], axis=1)
     for pivot in curve.place.pivots:  # rates of drift have another unit
         c, _ = curve.at(p)
         _, matrices = equations(curve.place, c, *unpack(curve.place, x))
-        across = np.abs(matrices[:, :, 2 * pivot + 1]).max(axis=1)
+        sideways = np.abs(matrices[:, :, 2 * pivot + 1]).max(axis=1)
         along = np.abs(matrices[:, :, 0::2]).max(axis=(1, 2))
-        scale[:, 2 * pivot + 1] = along * size / np.maximum(across, 1e-300)
-    w = np.concatenate((x / scale, (p / width)[:, None]), axis=1)
+        scale[:, 2 * pivot + 1] = along * size / np.maximum(sideways, 1e-300)
+    points = np.concatenate((x, (p / width)[:, None]), axis=1)
     low, high = bounds[0] / width, bounds[1] / width
     with np.errstate(all="ignore"):
-        _, matrices = curve.system(w, scale)
-        slope = solve(matrices[..., :-1], -matrices[..., -1:])[..., 0]
-        tangent = np.concatenate((slope, np.ones((len(w), 1))), axis=1)
-        tangent *= (direction / np.linalg.norm(tangent, axis=1))[:, None]
-        return _pieces(curve, w, scale, tangent, low, high)
+        upward = np.zeros_like(points)
+        upward[:, -1] = direction
+        _, tangent, orientation = bordered(curve, _over(points, scale), scale, upward)
+        start = _Way(points, _times(tangent, scale), scale, amplitudes, orientation)
+        return _pieces(curve, start, low, high, care)
+
+
+class _Way(NamedTuple):
+    """Where the pieces are, in the coordinates of `Arc`."""
+
+    points: NDArray[np.float64]
+    tangents: NDArray[np.float64]
+    scale: NDArray[np.float64]
+    amplitudes: NDArray[np.int64]  # unknowns that are not rates of drift
+    orientation: NDArray[np.float64]
+
+
+class _Step(NamedTuple):
+    """Where a step ends, how far off its prediction was, and whether it can be trusted."""
+
+    w: NDArray[np.float64]
+    tangent: NDArray[np.float64]
+    orientation: NDArray[np.float64]
+    off: NDArray[np.float64]
+    good: NDArray[np.bool_]
+
+
+def _stepped(
+    curve: Curve,
+    before: tuple[NDArray[Any], NDArray[Any]],
+    here: tuple[NDArray[Any], NDArray[Any]],
+    scale: NDArray[Any],
+    h: NDArray[np.float64],
+) -> _Step:
+    """One step of length h; NaN `before` the first one."""
+    w, own = here
+    # A cubic through the last two points and their tangents, gone on with.
+    bow = bows(before[0], before[1], w, own)
+    guess = bow.at(1.0 + h / bow.h)
+    guess = np.where(np.isfinite(guess), guess, w + h[:, None] * own)
+    first, _, _ = bordered(curve, guess, scale, own)
+    second, new, sign = bordered(curve, guess + first, scale, own)
+    one, rest = np.abs(first).max(axis=1), np.abs(second).max(axis=1)
+    good = (one < 20 * AIM) & ((rest < 0.1 * one) & (rest < 1e-5) | (rest < ROUNDING))
+    good &= (new * own).sum(axis=1) > 0.9
+    return _Step(guess + first + second, new, sign, one, good)
 
 
 def _pieces(
-    curve: Curve,
-    w: NDArray[Any],
-    scale: NDArray[Any],
-    tangent: NDArray[Any],
-    low: NDArray[Any],
-    high: NDArray[Any],
+    curve: Curve, way: _Way, low: NDArray[Any], high: NDArray[Any], care: float
 ) -> list[Arc]:
-    count = len(w)
-    points, tangents = [[row] for row in w], [[row] for row in tangent]
+    x, tangent, scale, amplitudes, orientation = way
+    count = len(x)
+    points, tangents = [[row] for row in x], [[row] for row in tangent]
+    scales: list[list[NDArray[Any]]] = [[] for _ in x]
     side = np.zeros(count, dtype=np.int64)
-    h = np.full(count, 0.02)
+    h, largest = np.full(count, 0.02 / care), np.zeros(count)
     going = np.flatnonzero(np.isfinite(tangent).all(axis=1))
     back = np.zeros(count, dtype=bool)
-    w, tangent = w.copy(), tangent.copy()
-    w_back, tangent_back = w.copy(), tangent.copy()
-    for _ in range(ENOUGH):
+    x, tangent, orientation = x.copy(), tangent.copy(), orientation.copy()
+    x_back, tangent_back = x.copy(), tangent.copy()
+    for _ in range(int(ENOUGH * care)):
         if not len(going):
             break
-        length, own = h[going][:, None], tangent[going]
-        guess = w[going] + length * own
-        # A cubic through the last two points and their tangents, gone on with.
-        bow = bows(w_back[going], tangent_back[going], w[going], own)
-        guess = np.where(back[going][:, None], bow.at(1.0 + h[going] / bow.h), guess)
-        first, _ = _bordered(curve, guess, scale[going], own)
-        second, new = _bordered(curve, guess + first, scale[going], own)
-        third = guess + first + second
-        one, rest = np.abs(first).max(axis=1), np.abs(second).max(axis=1)
-        turn = (new * own).sum(axis=1)
-        good = (one < 20 * AIM) & ((rest < 0.1 * one) & (rest < 1e-5) | (rest < 1e-11))
-        good &= turn > 0.9
-        wish = np.clip(0.9 * (AIM / np.maximum(one, 1e-16)) ** 0.25, 0.3, 2.5)
+        size = np.abs(x[going][:, amplitudes]).max(axis=1)
+        largest[going] = np.maximum(largest[going], size)
+        scale[np.ix_(going, amplitudes)] = np.maximum(size, FLOOR * largest[going])[:, None]
+        s = scale[going]
+        w, own = _over(x[going], s), _unit(_over(tangent[going], s))
+        no = np.where(back[going], 0.0, np.nan)[:, None]
+        before = _over(x_back[going], s) + no, _unit(_over(tangent_back[going], s))
+        to = _stepped(curve, before, (w, own), s, h[going])
+        good = to.good & ((to.orientation == orientation[going]) | (h[going] < CROSSING))
+        wish = np.clip(0.9 * (AIM / care / np.maximum(to.off, 1e-16)) ** 0.25, 0.3, 2.5)
         wish = np.where(np.isfinite(wish), wish, 0.3)
         done = going[good]
-        w_back[done], tangent_back[done], back[done] = w[done], tangent[done], True
-        w[done], tangent[done] = third[good], new[good]
+        x_back[done], tangent_back[done], back[done] = x[done], tangent[done], True
+        x[done], tangent[done] = _times(to.w[good], s[good]), _times(to.tangent[good], s[good])
+        orientation[done] = to.orientation[good]
         for k in done:
-            points[k].append(w[k].copy())
+            points[k].append(x[k].copy())
             tangents[k].append(tangent[k].copy())
-        longer = np.minimum(h[going] * wish, LONGEST)
+            scales[k].append(scale[k].copy())
+        longer = np.minimum(h[going] * wish, LONGEST / care)
         h[going] = np.where(good, longer, h[going] * np.minimum(wish, 0.5))
         side[done] = np.where(
-            w[done, -1] >= high[done], 1, np.where(w[done, -1] <= low[done], -1, 0)
+            x[done, -1] >= high[done], 1, np.where(x[done, -1] <= low[done], -1, 0)
         )
         turned = done[(tangent[done, -1] > 0.0) != (tangent_back[done, -1] > 0.0)]
-        bow = bows(w_back[turned], tangent_back[turned], w[turned], tangent[turned])
-        outside = _outside(curve, bow, scale[turned], low[turned], high[turned])
-        for k, (which, fold, along) in zip(turned, outside, strict=True):
-            if which:
-                points[k][-1], tangents[k][-1], side[k] = fold, along, which
+        if len(turned):
+            s = scale[turned]
+            ends = [_over(x_back[turned], s), _unit(_over(tangent_back[turned], s))]
+            ends += [_over(x[turned], s), _unit(_over(tangent[turned], s))]
+            outside = _outside(curve, bows(*ends), s, low[turned], high[turned])
+            for k, (which, fold, along) in zip(turned, outside, strict=True):
+                if which:
+                    points[k][-1], tangents[k][-1] = _times(fold, scale[k]), _times(along, scale[k])
+                    side[k] = which
         going = going[(side[going] == 0) & (h[going] > SHORTEST)]
+    d = scale.shape[1]
     return [
-        Arc(np.array(a), np.array(t), scale[k], int(side[k]))
-        for k, (a, t) in enumerate(zip(points, tangents, strict=True))
+        Arc(np.array(a), np.array(t), np.array(q).reshape(-1, d), int(side[k]), orientation[k])
+        for k, (a, t, q) in enumerate(zip(points, tangents, scales, strict=True))
     ]
 
 
@@ -216,8 +248,6 @@ def _outside(
     Side 0 where it does not.
     """
     out = [(0, x, t) for x, t in zip(bow.first, bow.slope, strict=True)]
-    if not out:
-        return out
     # The cubic tells how far p goes to a part of a step; where that is close, the fold decides.
     grid = np.linspace(0.0, 1.0, 17)
     p = np.array([bow.at(np.full(len(bow.h), u), slice(-1, None))[:, 0] for u in grid])
@@ -230,47 +260,6 @@ def _outside(
     return out
 
 
-def on_plane(
-    curve: Curve, w: NDArray[Any], scale: NDArray[Any], steps: int = 8
-) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
-    """Newton's method with p held fixed.
-
-    Returns
-    -------
-    w : numpy.ndarray
-        Shape (K, d + 1).
-    steady : numpy.ndarray
-        Whether it converged.
-    """
-    w = w.copy()
-    last = np.full(len(w), np.inf)
-    todo = np.arange(len(w))
-    with np.errstate(all="ignore"):
-        for _ in range(steps):
-            f, matrices = curve.system(w[todo], scale[todo])
-            step = solve(matrices[..., :-1], -f[..., None])[..., 0]
-            w[todo, :-1] += step
-            last[todo] = np.abs(step).max(axis=1)
-            todo = todo[~(last[todo] < 1e-9)]
-            if not len(todo):
-                break
-    return w, last < 1e-6
-
-
-def across(
-    curve: Curve, w: NDArray[Any], scale: NDArray[Any], tangent: NDArray[Any], steps: int = 6
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Newton's method across given directions: points of the curve, and the tangents there."""
-    new = tangent
-    with np.errstate(all="ignore"):
-        for _ in range(steps):
-            step, new = _bordered(curve, w, scale, tangent)
-            w = w + step
-            if np.abs(step).max(initial=0.0) < 1e-13:
-                break
-    return w, new
-
-
 def landed(
     curve: Curve, arcs: list[Arc], plane: NDArray[np.float64]
 ) -> tuple[list[Arc], NDArray[np.bool_]]:
@@ -278,8 +267,7 @@ def landed(
 
     Where it begins there, the next time counts.
     """
-    bow = bows(*(np.array([getattr(a, x)[k] for a in arcs]) for k in (-2, -1) for x in FIELDS))
-    scale = np.array([a.scale for a in arcs])
+    bow, scale = steps_of(arcs, slice(-1, None))
     target = plane / (curve.high - curve.low)
     upward = np.array([a.side for a in arcs]) > 0
     grid = np.linspace(0.0, 1.0, 33)
@@ -296,7 +284,7 @@ def landed(
     # may be as near, but not along the curve.
     for _ in range(4):
         share = ends.where(target)
-        whole = (ends.h > 1e-12)[:, None]
+        whole = (ends.h > 1e-9)[:, None]
         towards = np.where(whole, ends.towards(share), ends.slope)
         w = np.where(whole, ends.at(share), ends.first)
         w, tangent = across(curve, w, scale, towards, 3)
@@ -309,39 +297,15 @@ def landed(
             break
     w[:, -1] = target
     w, steady = on_plane(curve, w, scale)
+    # It leaves there: p goes on in the direction in which it came to the value.
+    outward = np.zeros_like(w)
+    outward[:, -1] = np.where(upward, 1.0, -1.0)
     with np.errstate(all="ignore"):
-        _, tangent = _bordered(curve, w, scale, tangent)
+        _, tangent, sign = bordered(curve, w, scale, outward)
+    steady &= sign == np.array([a.orientation for a in arcs])
     cut = []
     for k, a in enumerate(arcs):
         points, tangents = a.points.copy(), a.tangents.copy()
-        points[-1], tangents[-1] = w[k], tangent[k]
-        cut.append(Arc(points, tangents, a.scale, a.side))
+        points[-1], tangents[-1] = _times(w[k], scale[k]), _times(tangent[k], scale[k])
+        cut.append(a._replace(points=points, tangents=tangents))
     return cut, steady
-
-
-FIELDS = ("points", "tangents")
-
-
-def turning(
-    curve: Curve, bow: Bow, scale: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Where p has an extremum between two points: the points and their tangents.
-
-    The slope of p along the curve is zero there to rounding, so p itself is as good as that.
-    """
-    first, slope, last, end = (part.copy() for part in bow[:4])
-    w, tangent = first, slope
-    for _ in range(8):
-        own = bows(first, slope, last, end)
-        low, high = np.zeros(len(w)), np.ones(len(w))
-        for _ in range(30):
-            middle = 0.5 * (low + high)
-            same = (own.towards(middle)[:, -1] > 0.0) == (slope[:, -1] > 0.0)
-            low, high = np.where(same, middle, low), np.where(same, high, middle)
-        w, tangent = across(curve, own.at(low), scale, own.towards(low))
-        if np.abs(tangent[:, -1]).max(initial=0.0) < 1e-12:
-            break
-        before = ((tangent[:, -1] > 0.0) == (slope[:, -1] > 0.0))[:, None]
-        first, slope = np.where(before, w, first), np.where(before, tangent, slope)
-        last, end = np.where(before, last, w), np.where(before, end, tangent)
-    return w, tangent

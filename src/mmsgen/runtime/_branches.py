@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Curve
 from ._charts import normal
+from ._curves import Curve
 from ._flow import Flow
 from ._images import images
 from ._nets import Net, joined, nets

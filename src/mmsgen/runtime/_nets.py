@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._arcs import Arc, Curve, follow, landed
+from ._arcs import Arc, follow, landed
 from ._charts import chart, normal, pack, unpack
+from ._curves import Curve
 from ._flow import Flow
 from ._images import images, turned
 
@@ -127,37 +128,65 @@ def _match(
     return which
 
 
+CARE = (1.0, 3.0, 10.0)
+"""By which steps are shorter, the first time and where pieces contradict each other."""
+
+
 def joined(net: Net, p: NDArray[np.float64]) -> None:
-    """Follow the curves from all nodes in both directions, until each is linked or at an end."""
-    tried: set[tuple[int, int]] = set()
-    side = 1
-    for _ in range(12):
-        linked = {(k.start, k.start_side) for k in net.links}
-        linked |= {(k.end, k.end_side) for k in net.links}
-        todo = [
-            (node, side)
-            for node, section in enumerate(net.section)
-            if (node, side) not in linked | tried and 0 <= section + side < len(p)
-        ]
-        tried |= set(todo)
-        if todo:
-            _follow_all(net, p, todo)
-        elif side < 0 and len(tried) == len(tried | linked):
+    """Follow the curves from all nodes in both directions, until each is linked or at an end.
+
+    From each side of a node one curve leads, and to each side one: pieces that end at the same
+    side of a node, or somewhere else when they are followed the other way, contradict each other.
+    They are followed once more, with shorter steps.
+    """
+    for care in CARE:
+        tried: set[_Side] = set()
+        wrong: set[_Side] = set()
+        side = 1
+        for _ in range(12):
+            linked = _linked(net)
+            todo = [
+                (node, side)
+                for node, section in enumerate(net.section)
+                if (node, side) not in linked and (node, side) not in tried
+                if 0 <= section + side < len(p)
+            ]
+            tried |= set(todo)
+            if todo:
+                wrong |= _follow_all(net, p, todo, care)
+            elif side < 0:
+                break
+            side = -side
+        if not wrong or care == CARE[-1]:
             break
-        side = -side
+        net.links[:] = [
+            k for k in net.links if not {(k.start, k.start_side), (k.end, k.end_side)} & wrong
+        ]
+    reached = {(k.end, k.end_side) for k in net.links}
+    net.links[:] = [k for k in net.links if k.end >= 0 or (k.start, k.start_side) not in reached]
 
 
-def _follow_all(net: Net, p: NDArray[np.float64], todo: list[tuple[int, int]]) -> None:
+_Side = tuple[int, int]
+"""A node, and on which side of its section."""
+
+
+def _linked(net: Net) -> set[_Side]:
+    links = net.links
+    return {(k.start, k.start_side) for k in links} | {(k.end, k.end_side) for k in links}
+
+
+def _follow_all(net: Net, p: NDArray[np.float64], todo: list[_Side], care: float) -> set[_Side]:
+    """Follow curves from some sides of nodes; those whose pieces contradict others."""
     curve, place = net.curve, net.curve.place
     if not place.active:
         _straight(net, p, todo)
-        return
+        return set()
     here = np.array([net.section[node] for node, _ in todo])
     side = np.array([s for _, s in todo])
     other = here + side
     bounds = p[np.minimum(here, other)], p[np.maximum(here, other)]
     x = np.array([net.x[node] for node, _ in todo])
-    arcs = follow(curve, x, p[here], side.astype(float), bounds)
+    arcs = follow(curve, x, p[here], side.astype(float), bounds, care)
     ended = [k for k, a in enumerate(arcs) if a.side]
     steady = np.zeros(len(arcs), dtype=bool)
     goal = np.array([max(h, o) if a.side > 0 else min(h, o) for h, o, a in zip(here, other, arcs)])
@@ -165,22 +194,33 @@ def _follow_all(net: Net, p: NDArray[np.float64], todo: list[tuple[int, int]]) -
         cut, good = landed(curve, [arcs[k] for k in ended], p[goal[ended]])
         for k, a, g in zip(ended, cut, good, strict=True):
             arcs[k], steady[k] = a, g
-    taken: set[tuple[int, int]] = set()
+    taken = dict.fromkeys(_linked(net))
+    wrong: set[_Side] = set()
+    reached: dict[_Side, _Side] = {}
     for k, (node, start_side) in enumerate(todo):
-        if (node, start_side) in taken:
-            continue
+        start = (node, start_side)
         if not steady[k]:
-            net.links.append(Link(node, start_side, -1, 0, (), arcs[k]))
+            wrong.add(start)
+            if start not in reached:
+                net.links.append(Link(node, start_side, -1, 0, (), arcs[k]))
             continue
         end_side = -start_side if goal[k] != here[k] else start_side
-        b, rate = unpack(place, arcs[k].points[-1, :-1] * arcs[k].scale)
+        b, rate = unpack(place, arcs[k].points[-1, :-1])
         found = _match(net, int(goal[k]), b)
         if found is None:
             net.section.append(int(goal[k]))
             net.x.append(pack(place, normal(place, b), rate))
             found = len(net.section) - 1, tuple(0.0 for _ in place.active)
-        net.links.append(Link(node, start_side, found[0], end_side, found[1], arcs[k]))
-        taken |= {(node, start_side), (found[0], end_side)}
+        end = (found[0], end_side)
+        if reached.get(start) == end:
+            continue
+        if start in reached or end in reached or end in taken:
+            wrong |= {start, end}
+        if start not in reached:
+            net.links.append(Link(node, start_side, found[0], end_side, found[1], arcs[k]))
+        reached.setdefault(end, start)
+        reached.setdefault(start, end)
+    return wrong
 
 
 def _straight(net: Net, p: NDArray[np.float64], todo: list[tuple[int, int]]) -> None:
@@ -189,6 +229,6 @@ def _straight(net: Net, p: NDArray[np.float64], todo: list[tuple[int, int]]) -> 
     for node, side in todo:
         section = net.section[node]
         ends = p[[section, section + side]] / (net.curve.high - net.curve.low)
-        arc = Arc(ends[:, None], np.full((2, 1), float(side)), np.zeros(0), side)
+        arc = Arc(ends[:, None], np.full((2, 1), float(side)), np.zeros((1, 0)), side, 1.0)
         if section + side in at:
             net.links.append(Link(node, side, at[section + side], -side, (), arc))
