@@ -15,7 +15,7 @@ import numpy as np
 import sympy as sp
 from IPython.display import Markdown
 from sympy.physics.mechanics import dynamicsymbols
-from two_amplitudes import drawn, responses
+from two_amplitudes import bifurcations, drawn, responses
 
 import mmsgen as mg
 from mmsgen import plotting, report
@@ -202,14 +202,17 @@ assert np.abs(gap).max() < 1e-12
 #
 # Motions of the slow flow beside motions of the unexpanded equations, over times of order
 # $1/\varepsilon$: the distance, relative to the amplitude, must fall like $\varepsilon^N$. So must
-# the error of the steady amplitudes beside those of periodic orbits; the rates at which
-# disturbances of them die out are better by one order.
+# the error of the steady amplitudes beside those of periodic orbits. The rates at which
+# disturbances of them die out are better by one order, and so are the frequencies at which the
+# pendulum begins to swing, where the period of the exact motion doubles, and at which two swings
+# meet.
 
 # %%
 GENERIC = {"L": 1.3, "r": 0.3, "omega_p": 0.67, "mu_x": 0.11, "mu_p": 0.07, "f": 0.5,
            "sigma_1": 0.23, "sigma_2": -0.31}  # fmt: skip
 STEADY = {"L": 1.3, "r": 0.3, "omega_p": 0.67, "mu_x": 0.11, "mu_p": 0.17, "f": 0.9,
           "sigma_1": 0.13, "sigma_2": -0.11}  # fmt: skip
+BENT = {**STEADY, "sigma_2": np.linspace(-1, 1, 301)}
 working_motion = working[1].slow_flow.equilibria(STEADY).amplitudes[-1]
 emission = mg.Emission(
     model="autoparametric_absorber",
@@ -218,7 +221,10 @@ emission = mg.Emission(
     derivation="derivations/autoparametric_absorber.py",
     source="Haxton and Barr, J. Engineering for Industry 94 (1972) 119-125",
     amplitudes=lambda case: ([0.2 + 0.3j, -0.2 + 0.4j], 0.7),
-    steady=lambda case: [mg.Steady(STEADY, list(working_motion))],
+    steady=lambda case: [
+        mg.Steady(STEADY, list(working_motion)),
+        *bifurcations(working[1], BENT, ["pitchfork", "saddle-node"]),
+    ],
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())

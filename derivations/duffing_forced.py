@@ -375,7 +375,10 @@ def steady(case):
     """The equilibrium of section 7 and a saddle-node of each resonance."""
     name = next(n for n, (flows, *_) in FAMILIES.items() if case in flows.values())
     *_, values, guess = FAMILIES[name]
-    return [mg.Steady(values, [guess]), mg.Steady(FOLDS[name][0], [FOLDS[name][1]], fold=True)]
+    return [
+        mg.Steady(values, [guess]),
+        mg.Steady(FOLDS[name][0], [FOLDS[name][1]], "saddle-node"),
+    ]
 
 
 emission = mg.Emission(

@@ -235,7 +235,9 @@ legend = orbit_figure.legend(
 # Motions of the slow flow beside motions of the unexpanded equations, over times of order
 # $1/\varepsilon$: the distance, relative to the swing, must fall like $\varepsilon^N$. So must
 # the error of the amplitudes of a whirling motion beside those of the periodic orbit; the rates at
-# which disturbances of it die out or grow are better by one order.
+# which disturbances of it die out or grow are better by one order, and so is the frequency at which
+# the pendulum leaves the plane, beside that at which the exact orbit in the plane loses its
+# stability.
 
 # %%
 GENERIC = {"omega_x": 0.67, "L": 1.2, "mu": 0.3, "f": 0.5, "sigma": 0.2, "sigma_1": 0.2,
@@ -249,6 +251,7 @@ def samples(case):
 
 
 WHIRLING = {"L": 1.0, "omega_x": 1.0, "mu": 0.1, "f": 0.3, "sigma_1": 0.0, "sigma_2": 0.1}
+LEAVING = mg.Steady({**WHIRLING, "sigma_2": 0.128}, [-0.33 - 0.2j, 0], "pitchfork", "sigma_2")
 found = shaken.slow_flow.equilibria(WHIRLING)
 whirling = found.amplitudes[found.modulus[:, 1] > 0][0]
 cases = [*free.values(), shaken]
@@ -259,7 +262,7 @@ emission = mg.Emission(
     derivation="derivations/internal_resonance_1_1.py",
     source="Miles, Quarterly of Applied Mathematics 20 (1962) 21-32",
     amplitudes=lambda case: ([1.1 + 0.8j, -0.6 + 1.2j], 0.6),
-    steady=lambda case: [mg.Steady(WHIRLING, list(whirling))] if case is shaken else [],
+    steady=lambda case: [mg.Steady(WHIRLING, list(whirling)), LEAVING] if case is shaken else [],
 )
 certificates = emission.certificates
 report.certificate_table(certificates.values())

@@ -19,7 +19,7 @@ from IPython.display import Markdown, display
 from scipy.integrate import solve_ivp
 from scipy.special import ellipk
 from sympy.physics.mechanics import dynamicsymbols
-from two_amplitudes import drawn, responses, used
+from two_amplitudes import bifurcations, drawn, responses, used
 
 import mmsgen as mg
 from mmsgen import plotting, report
@@ -363,7 +363,9 @@ print(f"T = {cycle.period:.1f} s; furthest apart: {np.abs(motion - made)[:2].max
 # Motions of the slow flow, put back into coordinates, beside motions of the unexpanded equations
 # from the same state, over times of order $1/\varepsilon$. The distance must fall like
 # $\varepsilon^N$ at order $N$. So must the error of steady amplitudes beside those of periodic
-# orbits; the rates at which disturbances of them die out or grow are better by one order.
+# orbits. The rates at which disturbances of them die out or grow are better by one order, and so
+# are the places of bifurcations: saddle-nodes beside folds of periodic orbits, the pitchfork beside
+# a doubling of the period, and the Hopf point, with its frequency, beside a Neimark–Sacker point.
 
 # %%
 GENERIC = {"omega_1": 0.67, "mu_1": 0.11, "mu_2": 0.17, "alpha_1": 0.9, "alpha_2": 0.6,
@@ -378,17 +380,23 @@ def samples(case):
 
 
 def steady(case):
-    """A steady motion of both oscillators, where there is a force."""
+    """A steady motion of both oscillators, where there is a force, and bifurcations."""
     if case in free.values():
         return []
-    group = driven_fast if case in driven_fast.values() else driven_slow
+    fast = case in driven_fast.values()
+    group, bent = (driven_fast, BENT_FAST) if fast else (driven_slow, BENT_SLOW)
     values = used(case, STEADY)
     found = group[1].slow_flow.equilibria(used(group[1], STEADY)).amplitudes[-1]
-    return [mg.Steady(values, list(found))]
+    kinds = ["saddle-node", "pitchfork" if fast else "Hopf"]
+    return [mg.Steady(values, list(found)), *bifurcations(group[1], bent, kinds)]
 
 
 STEADY = {"omega_1": 1.0, "mu_1": 0.25, "mu_2": 0.2, "alpha_1": 1.1, "alpha_2": 0.9,
           "F_1": 0.9, "F_2": 1.3, "sigma_1": 0.2, "sigma_2": 0.15}  # fmt: skip
+ALONG = {**STEADY, "sigma_2": np.linspace(-1, 1, 301)}
+BENT_FAST = {**ALONG, "mu_1": 0.15, "mu_2": 0.12, "F_1": 0.0}
+BENT_SLOW = {**ALONG, "mu_1": 0.05, "mu_2": 0.05, "alpha_1": 0.9, "alpha_2": 0.8,
+             "F_1": 0.6, "F_2": 0.0, "sigma_1": 0.1}  # fmt: skip
 cases = [case for group in (free, driven_fast, driven_slow) for case in group.values()]
 emission = mg.Emission(
     model="internal_resonance_1_2",

@@ -16,7 +16,7 @@ import numpy as np
 import sympy as sp
 from IPython.display import Markdown
 from sympy.physics.mechanics import dynamicsymbols
-from two_amplitudes import drawn, used
+from two_amplitudes import bifurcations, drawn, used
 
 import mmsgen as mg
 from mmsgen import plotting, report
@@ -228,7 +228,7 @@ figure = drawn(first, over, r"$\sigma_2 = \Omega - \omega_2$ (rad/s)", LABELS, 2
 # Motions of the slow flow beside motions of the unexpanded equations, over times of order
 # $1/\varepsilon$: the distance must fall like $\varepsilon^N$. So must the
 # error of steady amplitudes beside those of periodic orbits; the rates at which disturbances of
-# them die out are better by one order.
+# them die out, and the frequencies of saddle-nodes, are better by one order.
 
 # %%
 GENERIC = {"omega_1": 0.57, "mu_1": 0.11, "mu_2": 0.17, "alpha_1": 0.3, "alpha_2": 0.5,
@@ -252,7 +252,10 @@ def steady(case):
     else:
         values, first = {**SWINGING, "F_2": 0.6, "sigma_1": 0.0, "sigma_2": 0.2}, driven_fast[1]
     found = first.slow_flow.equilibria(used(first, values)).amplitudes
-    return [mg.Steady(used(case, values), list(found[np.isfinite(found[:, 0])][-1]))]
+    return [
+        mg.Steady(used(case, values), list(found[np.isfinite(found[:, 0])][-1])),
+        *bifurcations(first, {**values, "sigma_2": np.linspace(-1, 1, 301)}, ["saddle-node"]),
+    ]
 
 
 SWINGING = {"omega_1": 1.0, "mu_1": 0.08, "mu_2": 0.12, "F_1": 0.24, "F_2": 0.0,

@@ -180,9 +180,9 @@ report.Table(
 # The slow flow is nonlinear, so motions are compared: from the same state the exact equation is
 # integrated over a time of order $1/\varepsilon$, and the difference has to fall like
 # $\varepsilon^N$. Steady motions are compared with periodic orbits of the exact equation: their
-# amplitudes, and with one order more the exponents of disturbances and the saddle-node at which van
-# der Pol's oscillator is set free. The linear boundaries are compared with Floquet theory, where
-# the order is $N + 1$.
+# amplitudes, and with one order more the exponents of disturbances, the pitchfork at which rest
+# becomes unstable, and the saddle-node at which van der Pol's oscillator is set free. The linear
+# boundaries are compared with Floquet theory, where the order is $N + 1$.
 
 # %%
 values = {"omega": 1.3, "f": 0.9, "alpha": 0.7, "mu": 0.11, "eta": 0.23, "sigma": 0.37}
@@ -194,7 +194,8 @@ emission = mg.Emission(
     amplitudes=lambda case: ([0.6 + 0.4j], 2.0),
     steady=lambda case: [
         mg.Steady(values, [0.21 + 0.74j]),
-        mg.Steady(free, [0.99 + 0.1j], fold=True),
+        mg.Steady({**values, "sigma": 0.66}, [0.0], "pitchfork"),
+        mg.Steady(free, [0.99 + 0.1j], "saddle-node"),
     ],
     derivation="derivations/mathieu_duffing.py",
     source="Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5",

@@ -23,6 +23,24 @@ def responses(cases: Mapping[int, Expansion], values: Mapping[str, Any]) -> dict
     return {n: c.slow_flow.frequency_response(used(c, values)) for n, c in cases.items()}
 
 
+def bifurcations(
+    case: Expansion, values: Mapping[str, Any], kinds: Sequence[str]
+) -> list[mg.Steady]:
+    """The first bifurcation of each kind along the detuning that is an array, to be certified."""
+    (over,) = (name for name, value in values.items() if np.ndim(value))
+    found = case.slow_flow.frequency_response(used(case, values)).bifurcations
+    first = {kind: next(b for b in found if b.kind == kind) for kind in kinds}
+    return [
+        mg.Steady(
+            {**used(case, values), over: round(b.parameter, 4)},
+            list(b.amplitudes.round(4)),
+            kind,
+            over,
+        )
+        for kind, b in first.items()
+    ]
+
+
 def only(response: Any, j: int) -> Any:
     """What a response says of one coordinate."""
     return response._replace(

@@ -246,8 +246,9 @@ _ = plotting.shared_legend([left, right])
 # ## 6. Certificates
 #
 # Besides motions: locked motions beside periodic orbits, their amplitudes and how fast disturbances
-# die out, and the saddle-node at which a weaker force loses its hold; the motion that is forced
-# alone, and the decay or growth of the oscillator's own oscillation in it.
+# die out, the saddle-node at which a weaker force loses its hold, and the Hopf point at which a
+# stronger one does; the motion that is forced alone, and the decay or growth of the oscillator's
+# own oscillation in it.
 
 
 # %%
@@ -260,13 +261,18 @@ def samples(case):
 
 LOCKED = {"omega_0": 1.0, "mu": 0.8, "K": 0.9, "sigma": 0.15}
 FOLD = {"omega_0": 1.0, "mu": 0.8, "K": 0.6, "sigma": 0.153}
+HOPF = {"omega_0": 1.0, "mu": 0.8, "K": 1.5, "sigma": 0.49}
 
 
 def steady(case):
     """Values at ε = 1, and amplitudes near those of order 1."""
     if case in quenching.values():
         return [mg.Steady(samples(case), [0.0])]
-    return [mg.Steady(LOCKED, [-0.88 - 0.74j]), mg.Steady(FOLD, [-0.94 + 0.2j], fold=True)]
+    return [
+        mg.Steady(LOCKED, [-0.88 - 0.74j]),
+        mg.Steady(FOLD, [-0.94 + 0.2j], "saddle-node"),
+        mg.Steady(HOPF, [-0.65 + 0.27j], "Hopf"),
+    ]
 
 
 emission = mg.Emission(

@@ -6,6 +6,7 @@ import ast
 import importlib
 import json
 import re
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from types import ModuleType
@@ -35,18 +36,27 @@ def certificates(name: str) -> dict[str, dict[str, Any]]:
     return found
 
 
+HOPF = ("Hopf", "frequency of the Hopf point")
+"""What is certified of a Hopf point."""
+
+
 def demand_fits(
-    data: dict[str, Any], tolerance: float, steady: bool = True, even: bool = False
+    data: dict[str, Any],
+    tolerance: float,
+    steady: bool = True,
+    even: bool = False,
+    points: Sequence[str] = (),
 ) -> None:
-    """Motions, and with a steady motion its amplitudes and stability, err as theory says.
+    """Motions, with a steady motion its amplitudes and stability, and bifurcations err as they may.
 
     Where even powers of ε alone occur, what would be of an odd one is of the next; and since the
     power after that is higher by two, an exponent between them is one of both terms together.
     """
     kinds = ["motions at times of order 1/ε", "equilibrium amplitudes", "stability"]
-    assert [fit["quantity"] for fit in data["fits"]] == kinds[: 3 if steady else 1]
+    wanted = [*kinds[: 3 if steady else 1], *points]
+    assert [fit["quantity"] for fit in data["fits"]] == wanted
     for fit in data["fits"]:
-        assert fit["theory"] == data["order"] + (fit["quantity"] == "stability")
+        assert fit["theory"] == data["order"] + (fit["quantity"] not in kinds[:2])
         odd = even and fit["theory"] % 2
         gap = float(fit["fitted"]) - fit["theory"] - odd
         assert -tolerance < gap < (2 if odd else tolerance)

@@ -7,7 +7,7 @@ from cmath import exp
 
 import numpy as np
 import pytest
-from entries import certificates, demand_fits, demand_notebook, emitted
+from entries import HOPF, certificates, demand_fits, demand_notebook, emitted
 
 ROUNDING = 1e-14
 """A dozen operations on numbers of order one."""
@@ -27,9 +27,18 @@ def test_certificates_of_internal_resonance(name: str, cases: int) -> None:
     found = certificates(name)
     assert len(found) == cases
     even = name == SPHERICAL  # x → −x, y → −y
+    points = {
+        (SPHERICAL, "omega_x"): ["pitchfork"],
+        (QUADRATIC, "omega_1"): ["saddle-node", *HOPF],
+        (QUADRATIC, "omega_2"): ["saddle-node", "pitchfork"],
+        (CUBIC, "omega_1"): ["saddle-node"],
+        (CUBIC, "omega_2"): ["saddle-node"],
+    }
     for module, data in found.items():
         # generic values: no error term vanishes, and the next one is small beside it
-        demand_fits(data, 0.1, steady="Omega" in module, even=even)
+        force = module.partition("Omega_is_")[2]
+        own = points[name, force.partition("_order")[0]] if force else ()
+        demand_fits(data, 0.1, steady=bool(force), even=even, points=own)
 
 
 def test_saturation() -> None:

@@ -25,7 +25,7 @@ def test_certificates_of_parametric_excitation() -> None:
     assert sorted(found) == [f"Omega_is_two_omega_order_{n}" for n in (1, 2)]
     for data in found.values():
         quantities = [fit["quantity"] for fit in data["fits"][1:]]
-        assert quantities == ["equilibrium amplitudes", "stability", "saddle-node"]
+        assert quantities == ["equilibrium amplitudes", "stability", "pitchfork", "saddle-node"]
         assert data["fits"][0]["theory"] == data["order"]
         for fit in data["fits"]:
             # generic values, so that no error term vanishes

@@ -37,7 +37,9 @@ from mmsgen.steady_fits import steady_fits
 
 PRIMARY = mg.Steady({"omega": 1.1, "alpha": 0.8, "mu": 0.3, "k": 1.6, "sigma": 0.2}, [0.5 - 0.2j])
 FOLD = mg.Steady(
-    {"omega": 1.0, "alpha": 1.0, "mu": 0.1, "k": 0.8, "sigma": 0.75}, [0.4 - 0.08j], fold=True
+    {"omega": 1.0, "alpha": 1.0, "mu": 0.1, "k": 0.8, "sigma": 0.75},
+    [0.4 - 0.08j],
+    "saddle-node",
 )
 
 
@@ -117,7 +119,9 @@ def test_saddle_node_of_two_amplitudes() -> None:
     case = scaled.expand(1, {Omega: 2 * omega_1, omega_2: 2 * omega_1})
     first, second = (str(r.detuning) for r in case.relations)
     values = {"mu": 0.05, "k": 0.9, "alpha": 0.8, "beta": 0.8, "omega_1": 1.0}
-    steady = mg.Steady({**values, first: -0.46, second: 0.2}, [0.98 + 0.98j, 0.13 - 0.58j], True)
+    steady = mg.Steady(
+        {**values, first: -0.46, second: 0.2}, [0.98 + 0.98j, 0.13 - 0.58j], "saddle-node"
+    )
     assert exponents(case, steady) == {"saddle-node": pytest.approx(2, abs=0.05)}
 
 
@@ -167,7 +171,11 @@ def test_no_equilibrium_and_wrong_shapes_are_said(monkeypatch) -> None:
     with pytest.raises(mg.CertificateError, match="1 amplitudes, got 2"):
         steady_fits(case, emitted(1), mg.Steady(PRIMARY.values, [0.1, 0.2]))
     with pytest.raises(mg.CertificateError, match="no saddle-node"):
-        steady_fits(case, emitted(1), mg.Steady({**FOLD.values, "mu": 2.0}, [0.1], fold=True))
+        steady_fits(
+            case,
+            emitted(1),
+            mg.Steady({**FOLD.values, "mu": 2.0}, [0.1], "saddle-node"),
+        )
     slow = {**PRIMARY.values, "Omega": 1.3}
     state = steady_state(case, emitted(1), slow, slow, [0.5])
     assert abs(emitted(1).slow_flow(state.amplitudes, **PRIMARY.values)[0]) < 1e-14

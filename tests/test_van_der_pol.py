@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from entries import certificates, demand_notebook, emitted
+from entries import HOPF, certificates, demand_notebook, emitted
 from scipy.optimize import brentq
 
 
@@ -37,7 +37,7 @@ def test_certificates(name: str, number: int) -> None:
 
 def test_what_is_certified_of_steady_motions() -> None:
     cycle = {"equilibrium amplitudes", "stability", "frequency"}
-    locked = {"equilibrium amplitudes", "stability", "saddle-node"}
+    locked = {"equilibrium amplitudes", "stability", "saddle-node", *HOPF}
     for name, tail, quantities in [
         ("van_der_pol", "nonresonant", cycle),
         ("rayleigh", "nonresonant", cycle),

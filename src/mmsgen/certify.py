@@ -96,7 +96,7 @@ def certify(
     span : float
         Time over which motions are compared, in s, at ε = 1; it grows like 1/ε.
     steady : sequence of Steady, optional
-        Equilibria and saddle-nodes that are compared with periodic orbits and their folds.
+        Equilibria, and bifurcations in a detuning, that are compared with exact periodic orbits.
 
     Returns
     -------

@@ -4,8 +4,7 @@ With small parameters and detunings as powers of ε, an equilibrium B of a slow 
 solves Σ_{p≤N} ε^p R_p(B) = 0; what is omitted, ε^{N+1} R_{N+1}, moves it by ε^{N+1} over the
 Jacobian, which is of order ε: by O(ε^N), where that Jacobian is regular. The eigenvalues of the
 Jacobian itself, a sum of ε^p ∂R_p, then err by ε^{N+1} from what is omitted and by ε·ε^N from where
-it is taken: O(ε^{N+1}). A saddle-node is regular in the enlarged system F = 0, F_B v = 0 with the
-detuning as one more unknown, of size ε like F itself, and errs there by O(ε^{N+1}).
+it is taken: O(ε^{N+1}).
 """
 
 from __future__ import annotations
@@ -21,14 +20,17 @@ import scipy  # loads its subpackages when they are first used
 
 from . import orbits
 from .consistency import arguments_of
-from .errors import CertificateError
+from .errors import CertificateError, MmsgenError
 from .motion import Reconstruction, reconstruction
 from .runtime._flow import jacobian
 
 if TYPE_CHECKING:
     from .expansion import Expansion
 
-__all__ = ["Steady", "SteadyState", "exact_fold", "exact_orbit", "slow_fold", "steady_state"]
+__all__ = ["KINDS", "Steady", "SteadyState", "exact_orbit", "steady_state"]
+
+KINDS = ("saddle-node", "pitchfork", "Hopf")
+"""Bifurcations whose places are certified."""
 
 STEPS = 60
 """Newton steps at most; from a guess within a tenth, six are usual."""
@@ -42,9 +44,6 @@ DENOMINATOR = 24
 COMMENSURATE = 1e-9
 """How well two frequencies must be of a rational ratio."""
 
-SHIFT = 1e-4
-"""Step along the family at a fold, over the amplitudes; only its direction is used."""
-
 
 @dataclass(frozen=True)
 class Steady:
@@ -55,14 +54,30 @@ class Steady:
     values : mapping
         Symbol or name → number at ε = 1, of the parameters and detunings of the slow flow.
     amplitudes : sequence of complex
-        B_j at ε = 1, near the equilibrium or the saddle-node of order 1.
-    fold : bool
-        Whether a saddle-node is meant: the value of the first detuning is then a guess.
+        B_j at ε = 1, near the equilibrium or the bifurcation of order 1. At a pitchfork those that
+        appear there are zero.
+    bifurcation : str
+        ``"saddle-node"``, ``"pitchfork"`` or ``"Hopf"`` where one is meant: the value of the
+        detuning is then a guess.
+    over : str or sympy.Symbol
+        That detuning; by default the first one.
+
+    Raises
+    ------
+    MmsgenError
+        If there is no bifurcation of that name.
     """
 
     values: Mapping[Any, float]
     amplitudes: Sequence[complex]
-    fold: bool = False
+    bifurcation: str = ""
+    over: Any = ""
+
+    def __post_init__(self) -> None:
+        if self.bifurcation and self.bifurcation not in KINDS:
+            raise MmsgenError(
+                f"the bifurcation must be one of {', '.join(KINDS)}, got {self.bifurcation!r}"
+            )
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,9 +183,9 @@ def steady_state(
         turn = drift @ symmetries
         gap = module.slow_flow(b, **arguments) - 1j * turn * b
         matrix = jacobian(flow, coefficients, b, drift)
-        by_drift = [_pairs(-2j * k * b) for k in symmetries]
+        by_drift = [pairs(-2j * k * b) for k in symmetries]
         full = np.column_stack([matrix, *by_drift])
-        step = np.linalg.lstsq(full, -_pairs(2 * gap), rcond=RANK)[0]
+        step = np.linalg.lstsq(full, -pairs(2 * gap), rcond=RANK)[0]
         change = (step[: 2 * flow.n : 2] + 1j * step[1 : 2 * flow.n : 2]) / 2
         share = min(1.0, 0.5 * scale / (np.abs(change).max() or 1.0))
         b, drift = b + share * change, drift + share * step[2 * flow.n :]
@@ -181,7 +196,7 @@ def steady_state(
     raise CertificateError(f"no equilibrium of the slow flow is found near {list(guess)}")
 
 
-def _pairs(column: Any) -> Any:
+def pairs(column: Any) -> Any:
     """Real and imaginary parts in turn."""
     return np.stack([column.real, column.imag], axis=-1).ravel()
 
@@ -233,15 +248,15 @@ def amplitude_gap(
     return float(gap.max()), float((2 * orbit.error[:n] / power).max())
 
 
-def exponent_gap(case: Expansion, state: SteadyState, orbit: orbits.PeriodicOrbit) -> Any:
-    """Largest distance of multipliers over the period, in 1/s, and its floor.
+def predicted_multipliers(case: Expansion, state: SteadyState, period: float) -> Any:
+    """Multipliers that the slow flow predicts, shape (2n,).
 
     Over one period of the motion the amplitudes are turned by their own frequencies and changed
-    by e^{JT}; that product has the multipliers that the slow flow predicts.
+    by e^{JT}; that product has them.
     """
     table = case.slow_flow.table
     plain = jacobian(table.flow, table.numbers(state.values), state.amplitudes)
-    n, period = len(state.amplitudes), orbit.period
+    n = len(state.amplitudes)
     for j in range(n):
         block = slice(2 * j, 2 * j + 2)
         plain[block, block] -= state.turning[j] * np.array([[0.0, -1.0], [1.0, 0.0]])
@@ -249,94 +264,14 @@ def exponent_gap(case: Expansion, state: SteadyState, orbit: orbits.PeriodicOrbi
     for j, angle in enumerate(state.rates * period):
         c, s = np.cos(angle), np.sin(angle)
         turned[2 * j : 2 * j + 2] = np.array([[c, -s], [s, c]]) @ turned[2 * j : 2 * j + 2]
-    predicted = np.linalg.eigvals(turned)
+    return np.linalg.eigvals(turned)
+
+
+def exponent_gap(case: Expansion, state: SteadyState, orbit: orbits.PeriodicOrbit) -> Any:
+    """Largest distance of multipliers over the period, in 1/s, and its floor."""
+    period = orbit.period
+    predicted = predicted_multipliers(case, state, period)
     distance = np.abs(predicted[:, None] - orbit.multipliers[None, :])
     rows, columns = scipy.optimize.linear_sum_assignment(distance)
     floor = float(orbit.multiplier_errors.max()) / period
     return float(distance[rows, columns].max()) / period, floor
-
-
-def slow_fold(
-    case: Expansion, module: Any, values: Mapping[str, float], guess: Any
-) -> tuple[dict[str, float], Any, Any]:
-    """A saddle-node of the emitted slow flow in its first detuning, near a guess.
-
-    Solves F = 0, F_x v = 0, (guess of v)·v = 1 in the Cartesian amplitudes x, v and the detuning.
-
-    Returns
-    -------
-    values : dict
-        With the detuning of the saddle-node.
-    amplitudes : numpy.ndarray of complex, shape (n,)
-    direction : numpy.ndarray of complex, shape (n,)
-        Along which two equilibria meet there.
-
-    Raises
-    ------
-    CertificateError
-        If none is found, or the slow flow has a symmetry.
-    """
-    table, sigma = case.slow_flow.table, str(case.relations[0].detuning.name)
-    flow = table.flow
-    if flow.symmetries:
-        raise CertificateError("saddle-nodes of free motions are not certified")
-    start = np.array(guess, dtype=complex)
-    size, unit = float(np.abs(start).max()), abs(values[sigma]) or 1.0
-
-    def at(level: float) -> dict[str, float]:
-        return {**values, sigma: level * unit}
-
-    def matrix(level: float, b: Any) -> Any:
-        return jacobian(flow, table.numbers(at(level)), b) / unit
-
-    def split(z: Any) -> tuple[Any, Any, float]:
-        both = (z[:-1:2] + 1j * z[1:-1:2]) / 2
-        return both[: flow.n] * size, both[flow.n :], float(z[-1])
-
-    first = values[sigma] / unit
-    *_, rows = np.linalg.svd(matrix(first, start))
-    heading = rows[-1]
-
-    def equations(z: Any) -> Any:
-        b, v, level = split(z)
-        gap = module.slow_flow(b, **arguments_of(module.slow_flow, at(level)))
-        direction = _pairs(2 * v)
-        return np.concatenate(
-            [
-                _pairs(2 * gap) / (unit * size),
-                matrix(level, b) @ direction,
-                [heading @ direction - 1],
-            ]
-        )
-
-    z = np.concatenate([_pairs(2 * start) / size, heading, [first]])
-    found = scipy.optimize.root(equations, z, tol=1e-14)
-    if np.abs(found.fun).max() > 1e-11:
-        raise CertificateError(f"no saddle-node is found near {sigma} = {values[sigma]:g}")
-    b, v, level = split(found.x)
-    return at(level), b, v * size
-
-
-def exact_fold(case: Expansion, state: SteadyState, direction: Any, unit: float) -> orbits.Special:
-    """The fold of exact periodic orbits near a saddle-node.
-
-    Parameters
-    ----------
-    case : Expansion
-    state : SteadyState
-        At the saddle-node.
-    direction : numpy.ndarray of complex, shape (n,)
-    unit : float
-        Size of the detuning.
-    """
-    problem = exact_problem(case, state.exact)
-    (pivot,) = case.relations[0].lhs.free_symbols
-    frequency, periods = state.frequency(problem.base)
-    period = None if problem.base is not None else 2 * np.pi / frequency
-
-    def along(times: Any) -> Any:
-        return state.motion(times, state.amplitudes + SHIFT * direction) - state.motion(times)
-
-    return orbits.fold(
-        problem, state.motion, along, str(pivot.name), unit, period=period, periods=periods
-    )

@@ -1,6 +1,6 @@
 """Whether the emitted functions of a nonlinear slow flow say the same at a steady motion.
 
-The equilibrium of the emitted right-hand side, its stability and its saddle-nodes are compared with
+The equilibrium of the emitted right-hand side, its stability and its bifurcations are compared with
 exact orbits as ε → 0. That the other functions belong to that right-hand side is checked here, at
 numbers.
 """
@@ -8,7 +8,6 @@ numbers.
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,21 +16,22 @@ from .consistency import arguments_of
 from .errors import CertificateError
 from .runtime._flow import jacobian, spectrum
 from .steady import SteadyState
+from .steady_bifurcations import SlowBifurcation
 
 if TYPE_CHECKING:
     from .expansion import Expansion
 
-__all__ = ["demand_saddle_node", "demand_steady_agreement"]
+__all__ = ["demand_bifurcation", "demand_steady_agreement"]
 
 ROUNDING = 1e-10
 """Rounding of a few hundred operations and of an equilibrium that Newton's method found, relative:
 a thousand times less than digits compared."""
 
 ROOT = 1e-5
-"""How far rounding moves an eigenvalue that is nearly double, or a saddle-node's amplitude."""
+"""How far rounding moves an eigenvalue that is nearly double, or a bifurcation's amplitude."""
 
-POINTS = 41
-"""Of the detuning, on both sides of a saddle-node."""
+AROUND = np.linspace(-0.05, 0.06, 9)
+"""Values of the detuning beside a bifurcation, over the size of the slow flow."""
 
 
 def demand_steady_agreement(case: Expansion, module: Any, state: SteadyState) -> None:
@@ -97,20 +97,17 @@ def _demand_response(case: Expansion, at: Any, state: SteadyState) -> None:
         raise CertificateError("response is not the sum of the harmonics of the expansion")
 
 
-def demand_saddle_node(
-    case: Expansion, module: Any, values: Mapping[str, float], amplitudes: Any
-) -> None:
-    """Raise if `frequency_response` does not find a saddle-node where there is one.
+def demand_bifurcation(case: Expansion, module: Any, slow: SlowBifurcation, sigma: str) -> None:
+    """Raise if `frequency_response` does not find a bifurcation where there is one.
 
     Parameters
     ----------
     case : Expansion
     module : module
         The emitted functions.
-    values : mapping
-        Those of the slow flow at the saddle-node.
-    amplitudes : numpy.ndarray of complex, shape (n,)
-        Its amplitudes.
+    slow : SlowBifurcation
+    sigma : str
+        The detuning in which it is one.
 
     Raises
     ------
@@ -119,15 +116,15 @@ def demand_saddle_node(
     """
     if not hasattr(module, "frequency_response"):
         return
-    sigma = str(case.relations[0].detuning.name)
-    level, unit = values[sigma], abs(values[sigma])
-    around = level + unit * np.linspace(-0.5, 0.5 + 1 / POINTS, POINTS)
-    known = {**values, "over": sigma, sigma: around}
-    found = module.frequency_response(**arguments_of(module.frequency_response, known))
-    size = float(np.abs(amplitudes).max())
+    level, unit = slow.values[sigma], slow.unit
+    around = {**slow.values, sigma: level + unit * AROUND}
+    known = arguments_of(module.frequency_response, around)
+    found = module.frequency_response(**known, over=sigma)
+    largest = max((float(b.modulus.max()) for b in found.branches), default=0.0)
+    size = float(np.abs(slow.amplitudes).max()) or largest
     for point in found.bifurcations:
-        near = np.abs(np.abs(point.amplitudes) - np.abs(amplitudes)).max() <= ROOT * size
+        near = np.abs(np.abs(point.amplitudes) - np.abs(slow.amplitudes)).max() <= ROOT * size
         close = abs(point.parameter - level) <= 1e2 * ROUNDING * unit
-        if point.kind == "saddle-node" and near and close:
+        if point.kind == slow.kind and near and close:
             return
-    raise CertificateError(f"frequency_response finds no saddle-node at {sigma} = {level:.9g}")
+    raise CertificateError(f"frequency_response finds no {slow.kind} at {sigma} = {level:.9g}")

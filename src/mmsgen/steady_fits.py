@@ -1,4 +1,4 @@
-"""Fits of steady motions for certificates: amplitudes, stability, saddle-nodes."""
+"""Fits of steady motions for certificates: amplitudes, stability, bifurcations."""
 
 from __future__ import annotations
 
@@ -16,13 +16,17 @@ from .steady import (
     Steady,
     SteadyState,
     amplitude_gap,
-    exact_fold,
     exact_orbit,
     exponent_gap,
-    slow_fold,
     steady_state,
 )
-from .steady_agreement import demand_saddle_node, demand_steady_agreement
+from .steady_agreement import demand_bifurcation, demand_steady_agreement
+from .steady_bifurcations import (
+    exact_bifurcation,
+    flow_power,
+    frequency_gap,
+    slow_bifurcation,
+)
 
 if TYPE_CHECKING:
     from .expansion import Expansion
@@ -33,7 +37,7 @@ EPSILONS = tuple(2.0**-k for k in range(4, 13))
 """The default range of ε: at its end Newton's method still sees damping of order ε."""
 
 LARGER_EPSILONS = tuple(2.0 ** (-k / 2) for k in range(3, 15))
-"""Where an error of high order is soon below what doubles resolve."""
+"""Where an error of high order is soon below what doubles resolve, or damping is."""
 
 AMPLITUDE_LIMIT = 1e-8
 """Errors of amplitudes, over the largest, from which they take part: at the smallest ε an orbit is
@@ -41,7 +45,7 @@ known to some 1e-10, as the damping that determines it is of order ε.
 """
 
 LIMIT = 1e-10
-"""Errors of exponents and folds, over the largest frequency, from which they take part."""
+"""Errors of exponents and bifurcations, over the largest frequency, from which they take part."""
 
 
 def steady_fits(
@@ -62,7 +66,7 @@ def steady_fits(
     -------
     list of Fit
         ``"equilibrium amplitudes"``, ``"stability"`` and, of a free motion, ``"frequency"``; or
-        ``"saddle-node"``.
+        the place of the bifurcation under its name, and ``"frequency of the Hopf point"``.
 
     Raises
     ------
@@ -74,14 +78,14 @@ def steady_fits(
         raise CertificateError(
             f"a steady motion has {len(case.coordinates)} amplitudes, got {len(steady.amplitudes)}"
         )
-    compare = _fold if steady.fold else _equilibrium
+    compare = _bifurcation if steady.bifurcation else _equilibrium
     try:
         if epsilons is not None:
             fits = compare(case, module, values, steady, epsilons)
         else:
             try:
                 fits = compare(case, module, values, steady, EPSILONS)
-            except CertificateError:
+            except (CertificateError, OrbitError):
                 fits = compare(case, module, values, steady, LARGER_EPSILONS)
     except OrbitError as error:
         raise CertificateError(f"the steady motion: {error}") from error
@@ -133,36 +137,56 @@ def _equilibrium(
     ]
 
 
-def _fold(
+def _bifurcation(
     case: Expansion,
     module: Any,
     values: Mapping[str, float],
     steady: Steady,
     epsilons: Sequence[float],
 ) -> list[Fit]:
-    """Where a saddle-node is in the frequency that is detuned."""
-    if not case.relations or len(case.relations[0].lhs.free_symbols) != 1:
-        raise CertificateError("a saddle-node needs a relation with a detuning")
-    (pivot,) = case.relations[0].lhs.free_symbols
-    if str(pivot.name) not in {p.name for p in case.weak.scaled.eom.parameters}:
-        raise CertificateError(
-            f"{pivot} follows from other parameters: its saddle-nodes are not certified"
-        )
-    sigma = str(case.relations[0].detuning.name)
+    """Where a bifurcation is in the frequency that is detuned, and the frequency of a Hopf one."""
+    kind, (sigma, pivot) = steady.bifurcation, _detuned(case, steady)
     weights, guess = _weights(case), np.asarray(steady.amplitudes, dtype=complex)
-    own, errors, floors, ordered = dict(values), [], [], sorted(epsilons)
-    top = 0.0
+    own, places, turns, ordered, top = dict(values), [], [], sorted(epsilons), 0.0
+    more = flow_power(case, values, sigma, weights, guess, ordered[0]) - 1
+    last = 1.0
     for epsilon in ordered:
+        # The detuning is as large as the rest of the flow, which order 1 may be missing in.
+        own[sigma] *= (epsilon / last) ** more
+        last = epsilon
         slow, _ = scaled_values(case, own, epsilon)
         power = epsilon**weights
-        found, b, direction = slow_fold(case, module, slow, power * guess)
+        found = slow_bifurcation(case, module, slow, kind, sigma, power * guess)
         if epsilon == ordered[0]:
-            demand_saddle_node(case, module, found, b)
-        own[sigma], guess = found[sigma] / epsilon, b / power
+            demand_bifurcation(case, module, found, sigma)
+        own[sigma], guess = found.values[sigma] / epsilon, found.amplitudes / power
         slow, exact = scaled_values(case, own, epsilon)
+        b = found.amplitudes
         state = SteadyState(b, np.zeros(len(b)), slow, exact, reconstruction(case, slow))
-        special = exact_fold(case, state, direction, abs(slow[sigma]) or epsilon)
-        errors.append(abs(special.value - exact[str(pivot.name)]))
-        floors.append(special.error)
+        special = exact_bifurcation(case, state, found, pivot)
+        places.append((abs(special.value - exact[pivot]), special.error))
+        if kind == "Hopf":
+            turns.append(frequency_gap(case, state, special))
         top = max(top, float(np.abs(state.rates).max()))
-    return [fit_exponent("saddle-node", case.order + 1, ordered, errors, floors, limit=LIMIT * top)]
+    quantities = {kind: places, "frequency of the Hopf point": turns}
+    return [
+        fit_exponent(name, case.order + 1, ordered, *zip(*pairs, strict=True), limit=LIMIT * top)
+        for name, pairs in quantities.items()
+        if pairs
+    ]
+
+
+def _detuned(case: Expansion, steady: Steady) -> tuple[str, str]:
+    """The detuning in which a bifurcation is sought, and the frequency that it detunes."""
+    known = {str(r.detuning.name): r for r in case.relations if len(r.lhs.free_symbols) == 1}
+    if not known:
+        raise CertificateError(f"a {steady.bifurcation} needs a relation with a detuning")
+    sigma = str(getattr(steady.over, "name", steady.over)) or next(iter(known))
+    if sigma not in known:
+        raise CertificateError(f"{sigma} is no detuning: choose one of {', '.join(known)}")
+    (pivot,) = known[sigma].lhs.free_symbols
+    if str(pivot.name) not in {p.name for p in case.weak.scaled.eom.parameters}:
+        raise CertificateError(
+            f"{pivot} follows from other parameters: bifurcations in it are not certified"
+        )
+    return sigma, str(pivot.name)

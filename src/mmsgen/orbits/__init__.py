@@ -10,6 +10,7 @@ Differential Equations* (1988); Seydel, *Practical Bifurcation and Stability Ana
 Kuznetsov, *Elements of Applied Bifurcation Theory* (2004).
 """
 
+from .crossings import crossing
 from .fields import Autonomous, Problem, autonomous
 from .finding import find, settle
 from .folds import fold
@@ -28,6 +29,7 @@ __all__ = [
     "Special",
     "autonomous",
     "born",
+    "crossing",
     "find",
     "fold",
     "follow",

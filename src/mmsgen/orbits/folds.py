@@ -23,7 +23,7 @@ STEPS = 20
 FIRST_STEP = 0.01
 """Along the family, where the size of the motion and the unit of the parameter are 1."""
 
-LEVEL = 1e-11
+LEVEL = 1e-9
 """The tangent's part along the parameter that counts as none; the value errs by its square."""
 
 
