@@ -9,7 +9,7 @@ import pytest
 import sympy as sp
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from systems import Omega, alpha, d, kappa, pair, t, x, y
+from systems import Omega, alpha, d, kappa, omega_1, omega_2, pair, t, x, y
 
 from mmsgen import criteria as criteria_module
 from mmsgen.codegen import case_name, render
@@ -83,7 +83,29 @@ def test_conservative_polynomials(lower: list[int]) -> None:
     assert not any(v)
     found = signs(neutral_conditions(turned))
     assert all(s == 1 for s in found) is bool((np.abs(roots.imag) < 1e-6).all())
-    assert len(found) == (1 if n == 3 else n - 1)
+    even = n == 4 and lower[0] == lower[2] == 0
+    assert len(found) == (1 if n == 3 else 3 if even else n - 1)
+
+
+@given(st.lists(st.integers(-9, 9), min_size=2, max_size=3))
+def test_even_polynomials(lower: list[int]) -> None:
+    """R(Γ²) has imaginary roots alone where those of R are negative."""
+    roots = np.roots([1, *lower])
+    gaps = np.abs(roots[:, None] - roots) + 10 * np.eye(len(roots))
+    assume(gaps.min() > 1e-2 and np.abs(roots).min() > 1e-2)
+    exact = [gaussian(x) for x in reversed(lower)] + [FIELD.one]
+    full = [c for pair in zip(exact, [FIELD.zero] * 4, strict=False) for c in pair][:-1]
+    neutral = bool(((np.abs(roots.imag) < 1e-6) & (roots.real < 0)).all())
+    found = neutral_conditions(full)
+    assert all(s == 1 for s in signs(found)) is neutral
+    # Of half the degree each: the coefficients, and the discriminant.
+    assert len(found) == len(lower) + 1
+
+
+def test_conditions_of_an_even_quartic() -> None:
+    b, c = FIELD.generator("b"), FIELD.generator("c")
+    none = FIELD.zero
+    assert neutral_conditions((c, none, b, none, FIELD.one)) == (c, b, b * b - c.scale(4))
 
 
 def test_routh_hurwitz_of_a_cubic_and_a_quartic() -> None:
@@ -201,3 +223,28 @@ def test_long_factors_are_left_alone() -> None:
     assert [v.kind for v in verdicts] == ["unjudged"]
     assert "no closed-form criterion" in verdicts[0].reason
     assert flow.stability.verdicts[0].kind == "dissipative"
+
+
+def test_zones_of_two_coincident_parametric_resonances() -> None:
+    """A biquadratic factor whose coefficient of Γ² changes its sign inside of zones.
+
+    Inside of every edge the modes grow, outside of it they do not: eigenvalues of the slow flow.
+    """
+    f = dict(zip(("11", "12", "21", "22"), sp.symbols("f_11 f_12 f_21 f_22", real=True)))
+    drive = 2 * sp.cos(Omega * t)
+    eom = pair(drive * (f["11"] * x + f["12"] * y), drive * (f["21"] * x + f["22"] * y))
+    scaled = eom.scale(dict.fromkeys(f.values(), 1))
+    flow = scaled.expand(1, {Omega: 2 * omega_1, omega_2: 3 * omega_1}).slow_flow
+    rng = np.random.default_rng(5)
+    base = dict(zip(("f_11", "f_12", "f_21"), rng.normal(scale=0.3, size=(3, 200)), strict=True))
+    base |= {"omega_1": rng.uniform(0.5, 2.0, 200), "sigma_2": rng.normal(scale=0.1, size=200)}
+    edges = flow.boundaries(base)
+    known = np.isfinite(edges).all(axis=-1)
+    assert known.sum() > 150
+    width = np.where(known, edges[:, 1] - edges[:, 0], 1.0)
+    # Across 1e-7 of a zone growth rises to 3e-4 of it; eigenvalues that meet are rounded to 1e-8.
+    for edge, inwards in ((edges[:, 0], 1e-7 * width), (edges[:, 1], -1e-7 * width)):
+        start = np.where(known, edge, 0.0)
+        out, inside = (flow.growth_rate({**base, "sigma_1": start + s * inwards}) for s in (-1, 1))
+        assert (out[known] <= 1e-7 * width[known]).all()
+        assert (inside[known] > 1e-5 * width[known]).all()

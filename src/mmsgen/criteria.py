@@ -24,7 +24,7 @@ from .edges import EdgeSeries, edge_series, weighted_parts
 from .expressions import FieldSymbols
 from .factoring import MonicFactor
 from .field import Coefficient, split_generator
-from .hurwitz import damped_conditions, halves, neutral_conditions
+from .hurwitz import damped_conditions, halves, is_even, neutral_conditions
 
 __all__ = ["Criteria", "FactorVerdict", "Judge"]
 
@@ -32,7 +32,7 @@ Polynomial = tuple[Coefficient, ...]
 """In the detuning, lowest power first."""
 
 HIGHEST = 5
-"""Degree in Γ up to which criteria are written down."""
+"""Degree in Γ up to which criteria are written down, in Γ² where a conservative factor is even."""
 
 LONGEST = 60
 """Terms of a factor up to which they are: determinants of longer ones fill pages."""
@@ -138,7 +138,8 @@ class Judge:
         if degree == 2:
             return self._dissipative(factor)
         length = sum(len(p) for c in factor.coefficients for p in c.num.values())
-        if degree > HIGHEST or length > LONGEST:
+        halved = degree // 2 if conservative and is_even(factor.coefficients) else degree
+        if halved > HIGHEST or length > LONGEST:
             statement = f"a factor of degree {degree} in Gamma has no closed-form criterion here"
             return FactorVerdict(factor, "unjudged", (), None, statement)
         return self._higher(factor, conservative)
@@ -279,6 +280,8 @@ class Judge:
                 unstable = True
             edges = found[0] if len(found) == 1 else None  # with several it is a union of zones
             name = "subdiscriminants" if conservative else "Hurwitz determinants"
+            if conservative and is_even(factor.coefficients):
+                name = "coefficients and of the discriminant in Gamma^2"
             statement = f"the signs of the {name} of {{0}} decide"
         return FactorVerdict(factor, kind, criterion, unstable, statement, shown, edges, criteria)
 
@@ -328,9 +331,8 @@ class Judge:
     def _may_vanish(self, br: Coefficient) -> frozenset[str]:
         """The small parameters in the damping that may be zero."""
         field = br.field
-        used = {
-            n for p in br.num.values() for n, d in zip(field.names, p.degrees(), strict=True) if d
-        }
+        pairs = (zip(field.names, p.degrees(), strict=True) for p in br.num.values())
+        used = {n for own in pairs for n, d in own if d}
         certain = self.domain.positive | self.domain.negative
         return frozenset(n for n in used if self.weights.get(n) and n not in certain)
 
@@ -362,10 +364,8 @@ class Judge:
     def _shown(self, factor: MonicFactor) -> sp.Expr:
         """The factor to leading order, which carries the argument."""
         gamma = sp.Symbol("Gamma")
-        terms = (
-            self.symbols(self._leading(c)) * gamma**k for k, c in enumerate(factor.coefficients)
-        )
-        return sp.Add(*terms)
+        leading = (self.symbols(self._leading(c)) for c in factor.coefficients)
+        return sp.Add(*(c * gamma**k for k, c in enumerate(leading)))
 
 
 def _proportional(one: Coefficient, other: Coefficient) -> bool:

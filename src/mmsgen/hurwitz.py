@@ -9,7 +9,10 @@ is positive definite (Hermite 1856), that is where its n nested minors D_1 … D
 are the determinants of Bilharz (1944). D_1 is the damping on the whole, and D_n vanishes where a
 root crosses the axis. Where P itself is real, half of the conditions are enough, those of Liénard
 and Chipart (1914). With no damping, V = 0, all Γ are imaginary and distinct exactly where the
-Bezoutian of −U' and U is positive definite; its minors are the subdiscriminants.
+Bezoutian of −U' and U is positive definite; its minors are the subdiscriminants. Where P is even,
+P(Γ) = R(Γ²), they are of half the degree: the roots of R are real and distinct exactly where its
+own subdiscriminants are positive, and then negative exactly where its coefficients are positive.
+The subdiscriminants of P itself would have common factors.
 
 Source: F. R. Gantmacher, *The Theory of Matrices* (1959), chapter on the Routh–Hurwitz problem;
 M. G. Krein and M. A. Naimark (1936), "The method of symmetric and Hermitian forms".
@@ -22,7 +25,7 @@ from fractions import Fraction
 
 from .field import Coefficient
 
-__all__ = ["damped_conditions", "halves", "neutral_conditions"]
+__all__ = ["damped_conditions", "halves", "is_even", "neutral_conditions"]
 
 
 def halves(
@@ -63,10 +66,24 @@ def neutral_conditions(coefficients: Sequence[Coefficient]) -> tuple[Coefficient
     Returns
     -------
     tuple of Coefficient
-        The last one is the discriminant of U. For a cubic it is the only one: with two roots that
-        are complex it is negative.
+        The last one is the discriminant of U, of R where P is even. For a cubic it is the only one:
+        with two roots that are complex it is negative.
     """
-    u, _ = halves(coefficients)
+    if is_even(coefficients):
+        halved = coefficients[::2]
+        return (*halved[:-1], *_real_conditions(halved))
+    return _real_conditions(halves(coefficients)[0])
+
+
+def is_even(coefficients: Sequence[Coefficient]) -> bool:
+    """Whether a polynomial of degree two and more holds even powers only."""
+    return len(coefficients) > 2 and not any(coefficients[1::2]) and len(coefficients) % 2 == 1
+
+
+def _real_conditions(u: Sequence[Coefficient]) -> tuple[Coefficient, ...]:
+    """What is positive exactly where all roots of a real polynomial are real and distinct."""
+    if len(u) == 2:
+        return ()
     slope = tuple(c.scale(Fraction(-k)) for k, c in enumerate(u))[1:]
     minors = _minors(_bezoutian(slope, u))
     return minors[1:] if len(minors) > 3 else minors[-1:]
