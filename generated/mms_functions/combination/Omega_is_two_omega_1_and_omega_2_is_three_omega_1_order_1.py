@@ -1,14 +1,14 @@
 # Emitted by mmsgen 0.1.0 from derivations/combination.py: change that, not this file.
-# Made from sha256 c1a52c96c12c5e15871a2256820fb362c5baa1babfacc32a68df40bf33a92473
-# Operations for each point: growth_rate 50, boundaries 518, resonance 3, slow_flow_matrix 9,
+# Made from sha256 207ac8f56e9b601e11b4bf06c37454990338e75ff8ae5d474a8a439c5911df2e
+# Operations for each point: growth_rate 50, boundaries 60, resonance 3, slow_flow_matrix 9,
 # characteristic_coefficients 48, slow_flow 23, motion 17
 """combination: Omega = 2*omega_1 + sigma_1 and omega_2 = 3*omega_1 + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
 scales through order 1 in ε, of x, y. Results are written at ε = 1.
 
-Stability depends: the signs of the subdiscriminants of Gamma**4 + Gamma**2*(-f_11**2/4 +
-f_12*f_21/6 + 5*omega_1**2*sigma_1**2/2 - 3*omega_1**2*sigma_1*sigma_2 +
+Stability depends: the signs of the coefficients and of the discriminant in Gamma^2 of Gamma**4 +
+Gamma**2*(-f_11**2/4 + f_12*f_21/6 + 5*omega_1**2*sigma_1**2/2 - 3*omega_1**2*sigma_1*sigma_2 +
 omega_1**2*sigma_2**2)/omega_1**2 + (-9*f_11*omega_1*sigma_1 + 6*f_11*omega_1*sigma_2 - f_12*f_21 +
 9*omega_1**2*sigma_1**2 - 6*omega_1**2*sigma_1*sigma_2)*(9*f_11*omega_1*sigma_1 -
 6*f_11*omega_1*sigma_2 - f_12*f_21 + 9*omega_1**2*sigma_1**2 -
@@ -142,148 +142,39 @@ def _growth_rate(sigma_1, sigma_2, omega_1, f_11, f_12, f_21):
 
 def _boundaries(sigma_2, omega_1, f_11, f_12, f_21):
     # Intermediates
-    x0 = omega_1 * omega_1
-    x1 = 1 / x0
-    x2 = f_12 * f_21
-    x3 = x1 * x2
-    x4 = 4 * x3 / 3
-    x5 = sigma_2 * sigma_2
-    x6 = f_11 * f_11
-    x7 = x0 * x0
-    x8 = x0 * x7
-    x9 = 1 / x8
-    x10 = x6 * x6
-    x11 = x10 * x2 * x9
-    x12 = x5 * x5
-    x13 = x12 * x3
-    x14 = x1 * x6
-    x15 = 1 / x7
-    x16 = f_12 * f_12
-    x17 = f_21 * f_21
-    x18 = x16 * x17
-    x19 = x15 * x18
-    x20 = x12 * x5
-    x21 = x10 * x6
-    x22 = x10 * x15
-    x23 = sigma_2 * x22
-    x24 = 12 * x14
-    x25 = x15 * x2 * x6
-    x26 = 8 * x25 / 3
-    x27 = 16 * x19 / 9
-    x28 = sigma_2 * x12
-    x29 = sigma_2 * x5
-    x30 = x3 * x5
-    x31 = x14 * x5
-    x32 = sigma_2 * x3
-    x33 = sigma_2 * x14
-    x34 = x12 * x12
-    x35 = x34 * x5
-    x36 = 4 * x35
-    x37 = x21 * x9
-    x38 = x7 * x7
-    x39 = 1 / x38
-    x40 = x10 * x10
-    x41 = x39 * x40
-    x42 = x0 * x38
-    x43 = 1 / x42
-    x44 = x40 * x6
-    x45 = x43 * x44
-    x46 = x2 * x21 * x39
-    x47 = x2 * x40 * x43
-    x48 = x38 * x7
-    x49 = 1 / x48
-    x50 = x16 * x16
-    x51 = x17 * x17
-    x52 = x50 * x51
-    x53 = f_12 * x16
-    x54 = f_21 * x17
-    x55 = x53 * x54
-    x56 = x55 * x9
-    x57 = x39 * x52
-    x58 = x18 * x6 * x9
-    x59 = x39 * x55 * x6
-    x60 = x43 * x52 * x6
-    x61 = x10 * x18 * x39
-    x62 = x10 * x43 * x55
-    x63 = x18 * x21 * x43
-    x64 = 2 * x60 / 81
-    x65 = sigma_2 * x34
-    x66 = x12 * x29
-    x67 = 64 * x56 / 27
+    x0 = sigma_2 * sigma_2
+    x1 = 1 / 4 * x0
+    x2 = omega_1 * omega_1
+    x3 = 1 / x2
+    x4 = f_11 * f_11
+    x5 = x3 * x4
+    x6 = x2 * x2
+    x7 = 1 / x6
+    x8 = f_12 * f_12
+    x9 = f_21 * f_21
+    x10 = f_12 * f_21 * x3
+    x11 = 3 / 4 * sigma_2
+    x12 = x0 * x0
+    x13 = x4 * x4
+    x14 = 4 * x10 / 3
+    x15 = sigma_2 * x0
     # Outputs
-    p1_0 = 2 * x1 * x6 - x4 - 8 * x5
-    p1_1 = 24 * sigma_2
-    p1_2 = -20
-    p2_0 = (
-        2 * f_12 * f_21 * x15 * x5 * x6 / 3 + 1 / 2 * x10 * x15 * x5 + x16 * x17 * x6 * x9 / 9
-        + 1 / 8 * x21 * x9 - 1 / 4 * x11 - 2 * x12 * x14 - 4 * x13 - 4 * x19 * x5 / 9 - 8 * x20
-    )
-    p2_1 = sigma_2 * x27 + x24 * x29 + 72 * x28 + 80 * x29 * x3 / 3 - sigma_2 * x26 - 3 / 2 * x23
-    p2_2 = (
-        3 * f_12 * f_21 * x15 * x6 + 3 / 4 * x10 * x15 - 268 * x12 - x27 - 200 * x30 / 3 - 28 * x31
-    )
-    p2_3 = 528 * x29 + 224 * x32 / 3 + 30 * x33
-    p2_4 = -x24 - 32 * x3 - 580 * x5
-    p2_5 = 336 * sigma_2
-    p2_6 = -80
-    p3_0 = (
-        2 * x11 * x20 / 3 + 1 / 4 * x12 * x41 + x14 * x36 + 3 / 2 * x20 * x37 + x20 * x58 / 3
-        + x21 * x49 * x55 / 864 + 4 * x22 * x34 + x26 * x34 + 1 / 64 * x45 * x5 + x5 * x60 / 162
-        + x5 * x62 / 216 + x5 * x63 / 48 - x10 * x49 * x52 / 1296 - x12 * x46 / 6 - x12 * x57 / 81
-        - x12 * x59 / 54 - 19 * x12 * x61 / 72 - x18 * x40 * x49 / 2304 - x19 * x34 / 9
-        - 2 * x20 * x56 / 27 - x47 * x5 / 24
-    )
-    p3_1 = (
-        23 * f_12 * f_21 * sigma_2 * x40 * x43 / 192 + 3 / 4 * f_12 * f_21 * x21 * x29 * x39
-        + 67 * x10 * x16 * x17 * x29 * x39 / 36 + 4 * x15 * x16 * x17 * x66 / 9
-        + 16 * x28 * x53 * x54 * x9 / 27 + 8 * x29 * x39 * x50 * x51 / 81
-        + 2 * x29 * x39 * x53 * x54 * x6 / 9 - 3 / 64 * sigma_2 * x45 - sigma_2 * x62 / 54
-        - 7 * sigma_2 * x63 / 144 - sigma_2 * x64 - 47 * x11 * x28 / 6 - 60 * x14 * x65
-        - 48 * x22 * x66 - 36 * x25 * x66 - 27 / 2 * x28 * x37 - 37 * x28 * x58 / 9
-        - 3 / 2 * x29 * x41 - x4 * x65
-    )
-    p3_2 = (
-        147 / 4 * x11 * x12 + 397 / 8 * x12 * x37 + 21 * x12 * x58 + 397 * x14 * x34
-        + 26 * x19 * x20 / 9 + 495 / 2 * x20 * x22 + 626 * x20 * x25 / 3 + 46 * x3 * x34 / 3
-        + 211 / 64 * x41 * x5 + 9 / 256 * x45 + x62 / 72 + x63 / 36 + x64 - 44 * x12 * x56 / 27
-        - x36 - 23 * x46 * x5 / 24 - 11 / 128 * x47 - 8 * x5 * x57 / 27 - 5 * x5 * x59 / 6
-        - 347 * x5 * x61 / 72
-    )
-    p3_3 = (
-        f_12 * f_21 * sigma_2 * x21 * x39 / 12 + 65 * sigma_2 * x10 * x16 * x17 * x39 / 12
-        + 32 * sigma_2 * x39 * x50 * x51 / 81 + 34 * sigma_2 * x39 * x53 * x54 * x6 / 27
-        + 32 * x29 * x53 * x54 * x9 / 27 + 60 * x65 - 201 / 64 * sigma_2 * x41 - 177 / 2 * x11 * x29
-        - 1524 * x14 * x66 - 224 * x19 * x28 / 9 - 1431 / 2 * x22 * x28 - 2032 * x25 * x28 / 3
-        - 381 / 4 * x29 * x37 - 509 * x29 * x58 / 9 - 72 * x3 * x66
-    )
-    p3_4 = (
-        925 / 8 * x11 * x5 + 674 * x12 * x19 / 9 + 10137 / 8 * x12 * x22 + 2689 / 2 * x12 * x25
-        + 3753 * x14 * x20 + 506 * x20 * x3 / 3 + 1609 / 16 * x37 * x5 + 279 / 256 * x41
-        + 11 / 32 * x46 + 1519 * x5 * x58 / 18 + x5 * x67 - 401 * x34 - 16 * x57 / 81 - 2 * x59 / 3
-        - 107 * x61 / 48
-    )
-    p3_5 = (
-        1572 * x66 - 311 / 4 * sigma_2 * x11 - 885 / 16 * sigma_2 * x37 - 128 * sigma_2 * x56 / 27
-        - 66 * sigma_2 * x58 - 6183 * x14 * x28 - 1040 * x19 * x29 / 9 - 5625 / 4 * x22 * x29
-        - 1668 * x25 * x29 - 496 * x28 * x3 / 3
-    )
-    p3_6 = (
-        21 * x11 + 6884 * x12 * x14 + 848 * x19 * x5 / 9 + 7633 / 8 * x22 * x5 + 7561 * x25 * x5 / 6
-        + 99 / 8 * x37 + 190 * x58 / 9 + x67 - 316 * x13 / 3 - 4002 * x20
-    )
-    p3_7 = (
-        480 * f_12 * f_21 * x1 * x29 + 6912 * x28 - 320 * sigma_2 * x19 / 9
-        - 1586 * sigma_2 * x25 / 3 - 5097 * x14 * x29 - 723 / 2 * x23
-    )
-    p3_8 = 32 * x19 / 9 + 117 / 2 * x22 + 94 * x25 + 2390 * x31 - 8201 * x12 - 1664 * x30 / 3
-    p3_9 = 6600 * x29 + 896 * x32 / 3 - 636 * x33
-    p3_10 = 72 * x1 * x6 - 64 * x3 - 3448 * x5
-    p3_11 = 1056 * sigma_2
-    p3_12 = -144
+    p1_0 = x1 * x5 - x7 * x8 * x9 / 144
+    p1_1 = -sigma_2 * x10 / 12 - x11 * x5
+    p1_2 = 1 / 8 * x10 + 9 / 16 * x5 - x1
+    p1_3 = x11
+    p1_4 = -9 / 16
+    p2_0 = 1 / 4 * x3 * x4 - x0 - x10 / 6
+    p2_1 = 3 * sigma_2
+    p2_2 = -5 / 2
+    p3_0 = f_12 * f_21 * x4 * x7 / 12 - x0 * x10 / 3 - 1 / 2 * x0 * x5 - x12 - 1 / 16 * x13 * x7
+    p3_1 = sigma_2 * x14 + 3 / 2 * sigma_2 * x5 + 6 * x15
+    p3_2 = -13 * x0 - x14 - x5
+    p3_3 = 12 * sigma_2
+    p3_4 = -4
     reach = omega_1
     return zone(
-        (p1_0, p1_1, p1_2), (p2_0, p2_1, p2_2, p2_3, p2_4, p2_5, p2_6),
-        (p3_0, p3_1, p3_2, p3_3, p3_4, p3_5, p3_6, p3_7, p3_8, p3_9, p3_10, p3_11, p3_12),
+        (p1_0, p1_1, p1_2, p1_3, p1_4), (p2_0, p2_1, p2_2), (p3_0, p3_1, p3_2, p3_3, p3_4),
         reach=reach,
     )
 

@@ -146,12 +146,12 @@ CASES: dict[str, dict[str, Any]] = {
         "coordinates": ("x", "y"),
         "unstable": None,
         "reason": (
-            "the signs of the subdiscriminants of Gamma**4 + Gamma**2*(-f_11**2/4 + f_12*f_21/6 +"
-            " 5*omega_1**2*sigma_1**2/2 - 3*omega_1**2*sigma_1*sigma_2 + "
-            "omega_1**2*sigma_2**2)/omega_1**2 + (-9*f_11*omega_1*sigma_1 + "
-            "6*f_11*omega_1*sigma_2 - f_12*f_21 + 9*omega_1**2*sigma_1**2 - "
-            "6*omega_1**2*sigma_1*sigma_2)*(9*f_11*omega_1*sigma_1 - 6*f_11*omega_1*sigma_2 - "
-            "f_12*f_21 + 9*omega_1**2*sigma_1**2 - …"
+            "the signs of the coefficients and of the discriminant in Gamma^2 of Gamma**4 + "
+            "Gamma**2*(-f_11**2/4 + f_12*f_21/6 + 5*omega_1**2*sigma_1**2/2 - "
+            "3*omega_1**2*sigma_1*sigma_2 + omega_1**2*sigma_2**2)/omega_1**2 + "
+            "(-9*f_11*omega_1*sigma_1 + 6*f_11*omega_1*sigma_2 - f_12*f_21 + "
+            "9*omega_1**2*sigma_1**2 - 6*omega_1**2*sigma_1*sigma_2)*(9*f_11*omega_1*sigma_1 - "
+            "6*f_11*omega_1*sigma_2 - f_12*f_21 + …"
         ),
         "functions": (
             "growth_rate",
