@@ -321,7 +321,7 @@ for axes, name in zip(panels, FAMILIES, strict=True):
     shifts = sp.lambdify(a, curve)(sizes)
     plotting.backbone({"backbone, order 2": (shifts, sizes)}, axes=axes)
     axes.set(title=name, xlim=SHOWN[name][1], ylim=np.array([-0.03, 1]) * SHOWN[name][3])
-    axes.locator_params(axis="x", nbins=5)
+    axes.locator_params(axis="x", nbins=4)
 plotting.shared_legend(panels)
 plt.show()
 

@@ -10,17 +10,18 @@
 # both beside the unexpanded nonlinear equations.
 
 # %%
+import warnings
+
 import matplotlib.pyplot as plt
 import numpy as np
 import rotor
 import sympy as sp
 from IPython.display import Markdown, display
-from scipy.linalg import expm
 
 import mmsgen as mg
 from mmsgen import orbits, plotting, report
 from mmsgen.certify import scaled_values
-from mmsgen.motion import exact_motion, first_order_system, reconstruction
+from mmsgen.motion import reconstruction
 from mmsgen.runtime._flow import rates, wirtinger
 
 # %% [markdown]
@@ -176,14 +177,15 @@ for j, (axes, name) in enumerate(zip(panes, cases, strict=True)):
         given = [p.symbol for p in case.parameters if p.name in values]
         curve = sp.lambdify(given, sp.Abs(formula), "numpy")
         heights = 2 * curve(*(values[str(s)] for s in given))
-        style = plotting.COLOURS[case.order - 1], plotting.DASHES[case.order - 1]
-        axes.plot(fine, heights, color=style[0], ls=style[1], label=f"order {case.order}")
+        place = case.order - 1
+        style = {"color": plotting.COLOURS[place], "lw": plotting.WIDTHS[place]}
+        axes.plot(fine, heights, label=f"order {case.order}", **style)
     found = [orbit(cases[name][1], numbers(name, float(s))) for s in dots]
     assert all(o.stable for o in found)
-    axes.plot(dots, [o.amplitude(j) for o in found], "ko", ms=4, label="unexpanded equations")
+    axes.plot(dots, [o.amplitude(j) for o in found], "ko", ms=4, label="periodic orbits")
     axes.set(xlabel="σ (rad/s)", ylabel=f"amplitude of {name} (m)", ylim=(0, None))
-    axes.set_title(f"$\\Omega = \\omega_{name} + \\sigma$")
-    axes.legend(frameon=False, fontsize="small")
+    axes.set_title(f"$\\Omega = \\omega_{name} + \\varepsilon\\sigma$")
+plotting.shared_legend(panes)
 response_figure = figure
 
 # %% [markdown]
@@ -206,29 +208,25 @@ report.Table(("direction", "ε", "order 1", "order 2"), tuple(rows))
 # %% [markdown]
 # ## 6. From rest to equilibrium
 #
-# The rotor turns at $\sigma = 0.3$ rad/s, and everything is at rest at first. The expansion makes
-# coordinates of the amplitudes, so that those of the state at rest follow from linear equations.
-# The slow flow takes them to the equilibrium by a matrix exponential. Grey: the unexpanded
-# nonlinear equations, integrated in time. The blades move at order 1 only, so that order 2 knows no
-# more of them than their first term.
+# The rotor turns at $\sigma = 0.3$ rad/s, and everything is at rest at first.
+# `initial_amplitudes` gives the amplitudes that belong to this, `evolution` takes them to the
+# equilibrium, and `response` makes coordinates of them, harmonics included. Grey: the unexpanded
+# nonlinear equations, integrated in time. The blades move at order 1 and higher only; besides a
+# swing, their lag has a mean value, which is of order 2.
 
 
 # %%
 def from_rest(case, values, times):
-    """States by the slow flow and its amplitudes, and exact states."""
-    slow, exact = scaled_values(case, values, 1.0)
-    shape, (final, matrix) = reconstruction(case, slow), steady(case, slow)
-    n = len(final)
-    rest = shape(np.zeros(1), np.zeros((n, 1)))[:, 0]
-    units = np.concatenate([np.eye(n), 1j * np.eye(n)])
-    columns = [shape(np.zeros(1), unit[:, None])[:, 0] - rest for unit in units]
-    parts = np.linalg.solve(np.array(columns).T, -rest)
-    start = parts[:n] + 1j * parts[n:]
-    amplitudes = [final + expm(matrix * t) @ (start - final) for t in times]
-    amplitudes = np.array(amplitudes).T
-    derivative = first_order_system(eom, {p.name: exact[p.name] for p in eom.parameters[:-1]})
-    found = exact_motion(derivative, np.zeros(2 * n), times, float(np.abs(final).max()))
-    return shape(times, amplitudes), amplitudes, found
+    """Coordinates (times, n) by the slow flow, its amplitudes, and exact coordinates."""
+    flow, still = case.slow_flow, np.zeros(2 + N_b)
+    own, exact = scaled_values(case, values, 1.0)
+    amplitudes = flow.evolution(own, flow.initial_amplitudes(own, still, still), times)
+    with warnings.catch_warnings():
+        # It warns where what is left out may be large: how large it is, the comparison says.
+        warnings.simplefilter("ignore")
+        made = flow.response(own, amplitudes, times)
+    numbers = {p.name: exact[p.name] for p in eom.parameters[:-1]}
+    return made, amplitudes, mg.time_integration(eom, numbers, still, still, times)[0]
 
 
 times = np.linspace(0, 16, 1201)
@@ -237,10 +235,10 @@ for j, (name, (_, case)) in enumerate(cases.items()):
     motion, amplitudes, found = from_rest(case, numbers(name, 0.3), times)
     figure, panels = plt.subplots(2, figsize=(7.2, 4.6), sharex=True, layout="constrained")
     for axes, row, label in zip(panels, (j, 2), (f"{name} (m)", "φ₁ (rad)"), strict=True):
-        envelope = {"envelope": 2 * np.abs(amplitudes[j])} if row == j else None
+        envelope = {"envelope": 2 * np.abs(amplitudes[:, j])} if row == j else None
         plotting.time_response(
             times,
-            {"nonlinear equations": found[row], "slow flow, order 2": motion[row]},
+            {"nonlinear equations": found[:, row], "slow flow, order 2": motion[:, row]},
             envelope,
             ylabel=label,
             axes=axes,

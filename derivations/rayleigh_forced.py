@@ -162,7 +162,7 @@ for axes, force in zip(panels[1:], (0.12, 0.28), strict=True):
     axes.set_title(f"K = {force} m/s²")
 for axes in panels:
     axes.set(xlabel="σ (rad/s)", ylabel="amplitude (m)")
-_ = plotting.shared_legend(panels)
+_ = plotting.shared_legend([*panels[1:], panels[0]])
 
 # %% [markdown]
 # The same for a hard force of $\Omega = 1.8$ rad/s. The oscillator's own oscillation stands beside
