@@ -218,9 +218,9 @@ for axes, number in zip(panels, (0.4, 1.2), strict=True):
     orbit = mg.orbit_near(shaken, here, stable).orbit
     assert orbit.stable
     exact = orbit(np.linspace(0, orbit.period, 129))
-    axes.plot(*exact[:2], color=plotting.COLOURS[0], lw=1, label="periodic orbit")
+    axes.plot(*exact[:2], color="0.72", lw=2.4, label="periodic orbit")
     drawn_ellipse = 2 * (stable[:, None] * turn).real
-    axes.plot(*drawn_ellipse, color=plotting.COLOURS[1], ls="--", label="slow flow, order 2")
+    axes.plot(*drawn_ellipse, color=plotting.COLOURS[1], lw=1.1, label="slow flow, order 2")
     axes.set(
         title=f"ν = {number}", xlabel="x (m)", aspect="equal", xlim=(-0.4, 0.4), ylim=(-0.4, 0.4)
     )

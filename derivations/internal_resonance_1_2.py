@@ -310,8 +310,8 @@ assert sp.cancel(response / (4 * omega_1**2) - by_hand) == 0
 # %% [markdown]
 # Over the frequency of the force, at $\omega_2 = 2\omega_1$: two peaks, one for each way in which
 # the two can answer in step, and a valley between two Hopf points. From one of them the limit
-# cycles of the slow flow are followed to the other; thin lines: the smallest and the largest
-# amplitude on them.
+# cycles of the slow flow are followed to the other and back again. Shaded: from the smallest to the
+# largest amplitude on them.
 
 # %%
 SLOW = {**WEAK, "F_1": 0.05, "F_2": 0.0, "sigma_1": 0.0}
@@ -322,14 +322,16 @@ figure = drawn(driven_slow, {**SLOW, "sigma_2": axis}, over, LABELS, 26)
 flow, given = driven_slow[2].slow_flow, used(driven_slow[2], SLOW)
 response = flow.frequency_response({**given, "sigma_2": axis})
 low, high = (b for b in response.bifurcations if b.kind == "Hopf")
-ends = low.parameter - 0.01, high.parameter - 1e-4
+ends = low.parameter - 0.01, high.parameter + 0.01
 family = flow.limit_cycles(given, low, "sigma_2", ends)
-assert family.path.reason == "reached" and set(family.path.verdicts) == {"stable"}
-sizes = np.array([cycle.modulus for cycle in family.cycles])
+assert family.path.reason == "closed" and set(family.path.verdicts) == {"stable"}
+along = np.argsort(family.values)
+sizes = np.array([cycle.modulus for cycle in family.cycles])[along]
 for j, axes in enumerate(figure.axes):
-    axes.plot(family.values, sizes[:, j], color="0.4", lw=0.8)
-    axes.autoscale(axis="y")
-    axes.set_ylim(bottom=0)
+    style = {"facecolor": "0.88", "edgecolor": "0.4", "lw": 0.8, "label": "limit cycles"}
+    axes.fill_between(family.values[along], *sizes[:, j].T, zorder=0, **style)
+figure.legends[0].remove()
+_ = plotting.shared_legend(figure.axes)
 
 # %% [markdown]
 # In the middle of the valley the motion has two frequencies, and never repeats: the amplitudes go

@@ -225,27 +225,22 @@ caught = {
     eta: 0.1,
     sigma: np.linspace(-0.08, 0.08, 321),
 }
-figure, panels = plt.subplots(1, 2, figsize=(8.8, 4.2), layout="constrained")
+figure, panels = plt.subplots(1, 2, figsize=(8.4, 4.2), layout="constrained")
 for axes, numbers in zip(panels, (hard, caught), strict=True):
     for order, case in cases.items():
         response = case.slow_flow.frequency_response(numbers)
         points = mg.orbits_along(case, numbers, response, 24, largest=3) if order == 2 else ()
         plotting.frequency_response(
-            response, [f"order {order}"], points=points, colour=2 - order, axes=axes
+            response, [f"order {order}"], points=points, colour=order - 1, axes=axes
         )
 sizes = np.linspace(0, 1.7, 50)
 along = sp.lambdify(a, backbone.subs({omega: 1, alpha: hard[alpha]}))(sizes)
 plotting.backbone({"backbone": (along, sizes)}, axes=panels[0])
 panels[0].set_xlim(-0.12, 0.24)
 panels[1].set_xticks(np.linspace(-0.08, 0.08, 5))
-entries = {}
 for axes, top in zip(panels, (1.7, 3), strict=True):  # order 2 has more far above, out of its reach
-    entries |= dict(zip(*reversed(axes.get_legend_handles_labels()), strict=True))
-    axes.get_legend().remove()
-    axes.set(xlabel="σ (rad/s)", ylabel="amplitude of the fundamental (m)", ylim=(0, top))
-_ = figure.legend(
-    entries.values(), entries, loc="outside lower center", ncols=5, frameon=False, fontsize="small"
-)
+    axes.set(xlabel="σ (rad/s)", ylabel="amplitude of the fundamental (m)", ylim=(-0.05, top))
+_ = plotting.shared_legend(panels)
 
 # %% [markdown]
 # ## 8. The emitted functions
