@@ -58,8 +58,11 @@ def response_of(
     All equilibria are computed at 48 values, twice as many where their number changes; for one
     amplitude at 2048; where fewer are given, at others between them too. From there the branches
     are followed. A closed branch that lies between two neighbouring ones of these values is not
-    seen. Bifurcations are looked for along the branches at more points than the given ones, so
-    that they do not depend on these; two of a kind within a quarter of a step may be missed.
+    seen; of one amplitude it is, as far as its extremum of the relation between amplitude and
+    parameter is there at the values beside it.
+
+    Bifurcations are looked for along the branches at more points than the given ones, so that they
+    do not depend on these; two of a kind within a quarter of a step may be missed.
     Circles are not followed that belong to a symmetry which one amplitude has at single values
     only, as without its force.
     """

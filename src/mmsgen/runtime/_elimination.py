@@ -33,6 +33,7 @@ __all__ = [
     "phase_quotient",
     "relation",
     "resultant",
+    "rows_of",
     "structure_of",
 ]
 
@@ -221,6 +222,16 @@ def relation(structure: Structure, c: NDArray[np.complex128]) -> Polynomial:
     # zero throughout is looked at.
     flat = np.all([x.real == 0.0 for x in f[0].values()], axis=0)
     return {e: np.where(flat, x.imag, x.real) for e, x in f[0].items()}
+
+
+def rows_of(polynomial: Polynomial, count: int) -> tuple[NDArray[np.float64], int]:
+    """One row for each point, lowest power first, and the step k: polynomials in r^k."""
+    exponents = sorted(polynomial)
+    step = gcd(*(e - exponents[0] for e in exponents)) or 1
+    table = np.zeros((count, (exponents[-1] - exponents[0]) // step + 1 if exponents else 1))
+    for e in exponents:
+        table[:, (e - exponents[0]) // step] = polynomial[e]
+    return table, step
 
 
 def harmonics(

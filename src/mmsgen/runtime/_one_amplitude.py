@@ -7,12 +7,11 @@ what does not satisfy the slow flow to rounding is dropped.
 
 from __future__ import annotations
 
-from math import gcd
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ._elimination import Polynomial, Structure, harmonics, relation, structure_of
+from ._elimination import Polynomial, Structure, harmonics, relation, rows_of, structure_of
 from ._flow import Flow, wirtinger
 from ._newton import RESIDUAL, Point, Sums, left_of, polished, sums
 from ._records import Equilibria
@@ -239,11 +238,7 @@ def _moduli(
     polynomial: Polynomial, count: int, loose: float
 ) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
     """Rows and candidates for r."""
-    exponents = sorted(polynomial)
-    step = gcd(*(e - exponents[0] for e in exponents)) or 1
-    table = np.zeros((count, (exponents[-1] - exponents[0]) // step + 1 if exponents else 1))
-    for e in exponents:
-        table[:, (e - exponents[0]) // step] = polynomial[e]
+    table, step = rows_of(polynomial, count)
     roots, extrema = near_roots(table, loose)
     row, place = np.nonzero(np.isfinite(roots))
     found = roots[row, place]

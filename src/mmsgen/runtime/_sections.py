@@ -6,12 +6,12 @@ one, and which curve leads where is lost. So these values are not always given o
 
 from __future__ import annotations
 
-from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from ._flow import Flow, jacobian, spectrum
+from ._isolas import touching
 from ._many_amplitudes import equilibria_of_many
 from ._one_amplitude import equilibria_of_one
 from ._records import Equilibria
@@ -29,8 +29,11 @@ SECTIONS = 48
 SECTIONS_OF_ONE, LOOKED_AT = 40, 2048
 """The same for one amplitude, and at how many values there its equilibria are counted."""
 
-FEWEST, FEWEST_OF_ONE = 24, 65
+FEWEST, FEWEST_OF_ONE = 24, 513
 """Where fewer values are given, as many more between them: curves are not followed far."""
+
+MOST_MORE = 60
+"""Most sections that are put where closed branches are."""
 
 REGULAR = 1e-4
 """An eigenvalue that is smaller than the others by this is nearly zero: 1e-8 from a fold."""
@@ -59,9 +62,10 @@ def sections_of(
     if len(p) == 1:
         return p, _solved(flow, numbers(p))
     values = _base(flow, numbers, p)
-    sections, found = (_of_one if flow.n == 1 else _of_many)(flow, numbers, values)
+    sections, found, fixed = (_of_one if flow.n == 1 else _of_many)(flow, numbers, values)
     first = sections.copy()
     bad = np.flatnonzero(_singular(flow, _extended(numbers, p, sections), found))
+    bad = bad[~np.isin(sections[bad], fixed)]  # on small closed branches all is nearly singular
     for further in FURTHER:
         if not len(bad):
             break
@@ -96,24 +100,29 @@ def _base(
 
 def _of_one(
     flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], Equilibria]:
+) -> tuple[NDArray[np.float64], Equilibria, NDArray[np.float64]]:
+    """Sections, equilibria there, and those of the sections that must stay where they are."""
     c = numbers(p)
     every = _solved(flow, c)
     number = np.where(_singular(flow, c, every), 0, every.number)
     chosen = _spread(len(p), SECTIONS_OF_ONE)
-    tops = []
-    for a, b in pairwise(chosen):
-        # A closed branch between two sections shows in the number of equilibria there.
-        top = a + int(np.argmax(number[a : b + 1]))
-        if number[top] > max(number[a], number[b]):
-            tops.append(top)
-    chosen = np.unique(np.concatenate((chosen, np.array(tops, dtype=np.int64))))
-    return p[chosen], _picked(every, chosen)
+    # A closed branch shows in the number of equilibria: one section at least for each number.
+    stops = np.concatenate(([0], np.flatnonzero(np.diff(number)) + 1, [len(p)]))
+    middle = (stops[:-1] + stops[1:] - 1) // 2
+    empty = np.searchsorted(chosen, stops[:-1]) == np.searchsorted(chosen, stops[1:])
+    chosen = np.union1d(chosen, middle[empty & (number[middle] > 0)][:MOST_MORE])
+    between = touching(flow, numbers, p)[:MOST_MORE]
+    if not len(between):
+        return p[chosen], _picked(every, chosen), between
+    at = np.concatenate((p[chosen], between))
+    at, order = np.unique(at, return_index=True)
+    found = _together(_picked(every, chosen), _solved(flow, numbers(between)))
+    return at, _picked(found, order), between
 
 
 def _of_many(
     flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
-) -> tuple[NDArray[np.float64], Equilibria]:
+) -> tuple[NDArray[np.float64], Equilibria, NDArray[np.float64]]:
     # A double equilibrium may not be found, so that none of them is looked at where one was given.
     at = p.copy()
     at[1:-1] += ASIDE * np.diff(p)[1:]
@@ -126,7 +135,7 @@ def _of_many(
         chosen = np.concatenate((chosen, middle))
         order = np.argsort(chosen)
         chosen, found = chosen[order], _picked(found, order)
-    return at[chosen], found
+    return at[chosen], found, at[:0]
 
 
 def _solved(flow: Flow, c: NDArray[np.complex128]) -> Equilibria:
