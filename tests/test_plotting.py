@@ -73,6 +73,8 @@ def test_convergence_on_new_axes() -> None:
     ]
     legend = [text.get_text() for text in axes.get_legend().get_texts()]
     assert legend == [*(p.get_label() for p in points), "exponent of the theory"]
+    axes.figure.draw_without_rendering()
+    assert axes.get_legend().get_window_extent().y0 >= axes.get_window_extent().y1
     assert points[0].get_color() != points[1].get_color()
     assert points[0].get_marker() != points[1].get_marker()
     for order, line in zip((1, 2), slopes, strict=True):

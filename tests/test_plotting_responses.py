@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from entries import emitted
 
 matplotlib = pytest.importorskip("matplotlib")
 matplotlib.use("Agg")
@@ -170,6 +171,19 @@ def test_backbone_goes_into_a_response() -> None:
     assert axes.get_xlabel() == "sigma"
     own = plotting.backbone(curves, axes=new_axes())
     assert own.get_xlabel() == "detuning (rad/s)"
+
+
+def test_what_emitted_functions_return_is_drawn() -> None:
+    """Their records are those of the emitted package, not of this one."""
+    primary = emitted("duffing_forced", "Omega_is_omega_0_order_2")
+    values = {"omega_0": 1.0, "alpha": 0.1, "mu": 0.02, "K": 0.05}
+    found = primary.frequency_response(sigma=np.linspace(-0.1, 0.15, 61), **values)
+    assert not isinstance(found, Response)
+    axes = plotting.frequency_response(found, ["order 2"], axes=new_axes())
+    a = np.linspace(0, 1.3, 14)
+    plotting.backbone({"backbone": (primary.backbone(a, **values), a)}, axes=axes)
+    shown = [text.get_text() for text in axes.get_legend().get_texts()]
+    assert shown == ["order 2", "order 2, unstable", "backbone", "saddle-node"]
 
 
 # --- legends -------------------------------------------------------------------------------------

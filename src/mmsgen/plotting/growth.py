@@ -81,7 +81,7 @@ def convergence(
     """
     from matplotlib.lines import Line2D
 
-    axes = on_axes(axes, (4.8, 3.7))
+    axes = on_axes(axes, (4.8, 4.0))
     for k, c in enumerate(certificates):
         label = labels[k] if labels else f"{_mathtext(c.relation)}, order {c.order}"
         colour = COLOURS[(c.order - 1) % len(COLOURS)]
@@ -102,7 +102,9 @@ def convergence(
     handles = axes.get_legend_handles_labels()[0]
     if handles:
         slope = Line2D([], [], lw=0.9, color="black", label="exponent of the theory")
-        axes.legend(handles=[*handles, slope], frameon=False, fontsize="small")
+        # Above the axes, which the lines cross.
+        place: dict[str, Any] = {"loc": "lower left", "bbox_to_anchor": (0.0, 1.0), "ncols": 2}
+        axes.legend(handles=[*handles, slope], frameon=False, fontsize="small", **place)
     return axes
 
 
