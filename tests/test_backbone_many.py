@@ -179,7 +179,7 @@ def test_one_amplitude_is_the_formula() -> None:
 
 def test_what_is_refused() -> None:
     flow = pair(1).slow_flow
-    with pytest.raises(MmsgenError, match="coordinate whose amplitude is given, one of"):
+    with pytest.raises(MmsgenError, match="coordinate whose amplitude is meant, one of"):
         flow.backbone(VALUES, 1.0)
     with pytest.raises(MmsgenError, match="amplitude must be finite and not negative"):
         flow.backbone(VALUES, -1.0, x)

@@ -19,7 +19,7 @@ from .errors import ExpansionError
 from .expressions import FieldSymbols
 from .field import Coefficient
 
-__all__ = ["AmplitudePolynomials", "Exact"]
+__all__ = ["AmplitudePolynomials", "Exact", "primitive"]
 
 
 class Exact:
@@ -124,7 +124,7 @@ class AmplitudePolynomials:
         result = self.ctx.constant(1)
         for factor, _ in factors:
             if not self._definite(factor):
-                result *= _primitive(factor)
+                result *= primitive(factor)
         return result
 
     def with_amplitude(self, p: fmpq_mpoly) -> fmpq_mpoly:
@@ -132,7 +132,7 @@ class AmplitudePolynomials:
         result = self.ctx.constant(1)
         for factor, _ in p.factor()[1]:
             if factor.degrees()[-1]:
-                result *= _primitive(factor)
+                result *= primitive(factor)
         return result
 
     def _definite(self, p: fmpq_mpoly) -> bool:
@@ -173,7 +173,7 @@ class AmplitudePolynomials:
         )
 
 
-def _primitive(p: fmpq_mpoly) -> fmpq_mpoly:
+def primitive(p: fmpq_mpoly) -> fmpq_mpoly:
     """The polynomial with whole coefficients without a common divisor, the first one positive."""
     coefficients = p.coeffs()
     common = gcd(*(int(c.p) for c in coefficients))

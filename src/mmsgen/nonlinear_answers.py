@@ -14,6 +14,7 @@ from .free_motion import FreePart, free_part, normal_modes
 from .frequency_response import frequency_response
 from .response_relation import OneAmplitude, one_amplitude
 from .runtime._records import Backbone, Equilibria, Response
+from .two_amplitudes import TwoAmplitudes, two_amplitudes
 
 if TYPE_CHECKING:
     from .amplitude_flow import AmplitudeFlow
@@ -123,20 +124,32 @@ class NonlinearAnswers:
         """
         return frequency_response(self.table, self._with_detunings, values, over)
 
-    # -- formulas for one amplitude ------------------------------------------------------
+    # -- formulas ------------------------------------------------------
 
     @cached_property
     def _one_amplitude(self) -> OneAmplitude:
         return one_amplitude(cast("SlowFlow", self))
 
-    def response_relation(self) -> sp.Expr:
+    def response_relation(
+        self, of: sp.Expr | None = None, values: Mapping[Any, Any] | None = None
+    ) -> sp.Expr:
         """The polynomial in a and the parameters that vanishes at equilibria with a > 0.
 
-        The phase is eliminated exactly; powers of a, factors of the parameters alone and factors
-        that have one sign are left out, repeated ones kept once. At order one it vanishes at
-        equilibria and nowhere else. Where the phase occurs with several harmonics, as it does at
-        higher orders, it vanishes at every equilibrium, and possibly also at isolated amplitudes
-        without one: those at which two phases coincide that are not real.
+        The phases are eliminated exactly, and of two amplitudes the other one; powers of a, factors
+        of the parameters alone and factors that have one sign are left out, repeated ones kept
+        once. With one amplitude at order one it vanishes at equilibria and nowhere else. Where the
+        phase occurs with several harmonics, as it does at higher orders, it vanishes at every
+        equilibrium, and possibly also at isolated amplitudes without one: those at which two phases
+        coincide that are not real. With two amplitudes it vanishes at all equilibria at which
+        neither is zero, complex ones included, and at no others.
+
+        Parameters
+        ----------
+        of : sympy.Expr, optional
+            Of two coordinates the one whose amplitude stays.
+        values : mapping, optional
+            Of two amplitudes: rational numbers for some of the parameters and detunings; decimal
+            fractions count as what is written.
 
         Returns
         -------
@@ -146,10 +159,57 @@ class NonlinearAnswers:
         Raises
         ------
         ExpansionError
-            If there are several amplitudes; if no frame makes the slow flow autonomous; if
-            equilibria fill a curve; if constant phases cannot be turned away.
+            If there are more than two amplitudes; if no frame makes the slow flow autonomous; if
+            equilibria fill a curve; if constant phases cannot be turned away; of two amplitudes if
+            the relation would have too many terms, as of the resonance 1:1 with all its parameters:
+            values for some of them, or `amplitude_relations`, help.
+        MmsgenError
+            If `of` is no coordinate; if a value is no rational number, or of no parameter.
         """
-        return self._one_amplitude.relation
+        coordinates = cast("SlowFlow", self).case.coordinates
+        if len(coordinates) == 1 and of in (None, *coordinates):
+            found = self._one_amplitude.relation
+            return found if values is None else found.subs(dict(values))
+        own = self._two_amplitudes(values)
+        return own.relation(self._place(of))
+
+    def amplitude_relations(
+        self, values: Mapping[Any, Any] | None = None
+    ) -> tuple[sp.Expr, sp.Expr]:
+        """Two polynomials in both amplitudes that vanish at equilibria where neither is zero.
+
+        Both phases, and the rate of a drift, are eliminated exactly, with factors left out as in
+        `response_relation`. Often one of them contains one amplitude alone, or both at low powers.
+
+        Parameters
+        ----------
+        values : mapping, optional
+            As for `response_relation`.
+
+        Returns
+        -------
+        tuple of sympy.Expr
+            The shorter one first.
+
+        Raises
+        ------
+        ExpansionError, MmsgenError
+            As for `response_relation`.
+        """
+        return self._two_amplitudes(values).relations
+
+    def _two_amplitudes(self, values: Mapping[Any, Any] | None) -> TwoAmplitudes:
+        return two_amplitudes(cast("SlowFlow", self), values)
+
+    def _place(self, of: Any) -> int:
+        """The number of a coordinate whose amplitude is meant."""
+        coordinates = cast("SlowFlow", self).case.coordinates
+        if of is None and len(coordinates) == 1:
+            return 0
+        if of not in coordinates:
+            names = ", ".join(map(str, coordinates))
+            raise MmsgenError(f"of is the coordinate whose amplitude is meant, one of {names}")
+        return list(coordinates).index(of)
 
     @overload
     def backbone(self) -> dict[sp.Symbol, sp.Expr]: ...
@@ -207,13 +267,8 @@ class NonlinearAnswers:
             )
         if values is None:
             return dict(self._one_amplitude.backbone)
-        if of is None and len(coordinates) == 1:
-            (of,) = coordinates
-        if of not in coordinates:
-            names = ", ".join(map(str, coordinates))
-            raise MmsgenError(f"of is the coordinate whose amplitude is given, one of {names}")
-        table = self._with_detunings(values)
-        return normal_modes(self._free, table, amplitude, coordinates.index(of))
+        place = self._place(of)
+        return normal_modes(self._free, self._with_detunings(values), amplitude, place)
 
     @cached_property
     def _free(self) -> FreePart:

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["arranged", "equilibria_of_many", "generic_counts", "with_active"]
+__all__ = ["arranged", "ends", "equilibria_of_many", "generic_counts", "with_active"]
 
 # Paths that are followed together.
 BLOCK = 12_000
@@ -195,11 +195,11 @@ def with_active(
     for k in range(0, len(finite) if start.shape[1] else 0, step):
         rows = finite[k : k + step]
         target, scales = scaled(system, flat[rows])
-        z, condition, lost = _ends(system, base, start, target)
+        z, condition, lost = ends(system, base, start, target)
         count = start.shape[1]
         which = np.flatnonzero(np.isfinite(lost).all(axis=0)) // count
-        ends = lost[:, np.isfinite(lost).all(axis=0)]
-        for paths, b, turns in on_planes(system, flat[rows[which]], scales[:, which], ends):
+        heads = lost[:, np.isfinite(lost).all(axis=0)]
+        for paths, b, turns in on_planes(system, flat[rows[which]], scales[:, which], heads):
             special.append((rows[which[paths]], b, turns))
         good, b, rate = _real(system, np.repeat(scales, count, axis=1), z, condition)
         # Two solutions that are δ apart have conditions of 1/δ and errors of EPS/δ: both rules
@@ -245,7 +245,7 @@ def _in_chart(place: Any, b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any
     return normal(place, b), rate @ np.array(place.parts)[list(place.drifts)]
 
 
-def _ends(
+def ends(
     system: System, base: NDArray[Any], start: NDArray[Any], target: NDArray[Any]
 ) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[Any]]:
     """Solutions at the ends of all paths, their conditions, and where other paths were lost.
@@ -267,14 +267,14 @@ def _ends(
         paths = track(terms, begin[:, rows], end[:, rows], points, logs, tolerance)
         z[:, rows], left[rows] = paths.z, paths.left
     z[:, left > LOST] = np.nan
-    ends = z
+    heads = z
     z, last, condition = newton(terms, end, z, logs, 8)
     # To a point of multiplicity m each step takes 1/m of the way.
     slow = np.flatnonzero((last >= 1e-6) & (last < 1e-2))
     z[:, slow], last[slow], condition[slow] = newton(terms, end[:, slow], z[:, slow], logs, SLOW)
     settled = last < np.clip(10.0 * EPS * condition, 1e-6, 1e-4)
     z[:, ~(settled & np.isfinite(condition))] = np.nan
-    lost = np.where((np.abs(z[:logs]) >= TINY).all(axis=0), np.nan, ends)  # ends for NaN
+    lost = np.where((np.abs(z[:logs]) >= TINY).all(axis=0), np.nan, heads)  # these for NaN
     return z, condition, lost
 
 
