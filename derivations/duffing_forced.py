@@ -393,7 +393,16 @@ emission = mg.Emission(
 report.certificate_table(emission.certificates.values())
 
 # %%
-plotting.convergence(list(emission.certificates.values()), quantity="motions at times of order 1/ε")
+made = list(emission.certificates.values())
+plotting.convergence(made, quantity="motions at times of order 1/ε")
+plt.show()
+
+# %% [markdown]
+# The frequency of the force at which the folds are, against that of folds of exact periodic orbits:
+
+# %%
+plotting.convergence(made, quantity="saddle-node")
+plt.ylabel("error of Ω at the saddle-node (rad/s)")
 plt.show()
 
 # %% [markdown]

@@ -89,7 +89,7 @@ def test_convergence_of_another_quantity_with_labels() -> None:
     axes = plotting.convergence([certificate(1)], ["mine"], quantity="edges of the zone")
     assert axes.get_lines()[0].get_label() == r"mine: $\varepsilon^{2.00}$"
     assert axes.get_lines()[0].get_ydata()[0] == 0.5 * EPSILONS[0] ** 2
-    assert axes.get_ylabel() == "error of the edges of the zone (1/s)"
+    assert axes.get_ylabel() == "error of the edges of the zone (rad/s)"
 
 
 def test_relations_are_typeset() -> None:
@@ -145,12 +145,17 @@ def test_no_display_is_needed() -> None:
 
 @pytest.mark.parametrize(
     ("smallest", "quantity", "base", "unit"),
-    [(2.0**-8, "motions", 2, False), (2.0**-14, "characteristic exponents", 10, True)],
+    [
+        (2.0**-8, "motions", 2, False),
+        (2.0**-14, "characteristic exponents", 10, True),
+        (2.0**-14, "stability", 10, True),
+        (2.0**-14, "equilibrium amplitudes", 10, False),
+    ],
 )
 def test_axis_of_epsilon_and_unit_of_the_error(
     smallest: float, quantity: str, base: int, unit: bool
 ) -> None:
-    """Few decades are labelled by powers of two; a motion's unit is that of its coordinate."""
+    """Few decades are labelled by powers of two; units of coordinates are not known."""
     epsilons = tuple(smallest * 2.0**k for k in range(5 if base == 2 else 12))
     errors = tuple(e**2 for e in epsilons)
     fit = Fit(quantity, 2, epsilons, errors, (0.0,) * len(epsilons), 2.0, limit=0.0)

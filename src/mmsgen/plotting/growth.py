@@ -18,6 +18,15 @@ if TYPE_CHECKING:
 
 __all__ = ["convergence", "growth_rates"]
 
+_ERRORS = {
+    "characteristic exponents": "characteristic exponents (1/s)",
+    "stability": "exponents of disturbances (1/s)",
+    "edges of the zone": "edges of the zone (rad/s)",
+    "frequency": "frequency (rad/s)",
+    "frequency of the Hopf point": "frequency of the Hopf point (rad/s)",
+}
+"""What the errors of fits are of, where that has the same unit in every case."""
+
 
 def growth_rates(
     speeds: Any,
@@ -94,8 +103,7 @@ def convergence(
             text = rf"{label}: $\varepsilon^{{{fit.exponent:.2f}}}$"
             axes.loglog(e, x, MARKERS[k % len(MARKERS)], label=text, **style)
             axes.loglog(e, x[-1] * (e / e[-1]) ** fit.theory, lw=0.9, color=colour)
-    unit = "" if quantity.startswith("motions") else " (1/s)"
-    axes.set(xlabel="ε", ylabel=f"error of the {quantity}{unit}")
+    axes.set(xlabel="ε", ylabel=f"error of the {_ERRORS.get(quantity, quantity)}")
     low, high = axes.get_xlim()
     if high < 50 * low:  # too few decades to be labelled
         axes.set_xscale("log", base=2)
