@@ -192,6 +192,10 @@ def _run(
     fill: Callable[[Sequence[NDArray[Any]], Sequence[NDArray[Any]]], None],
     shape: tuple[int, ...],
 ) -> None:
+    # Scalars become arrays: a kernel would make numbers of Python's of them, 1j * x, and these
+    # raise where a divisor vanishes.
+    arguments = [a if a.ndim else a.reshape(1) for a in arguments]
+    outs = outs if shape else [out[np.newaxis] for out in outs]
     size = int(np.prod(shape, dtype=np.int64))
     with np.errstate(all="ignore"):
         if size <= BLOCK:

@@ -138,6 +138,8 @@ def backbone_at(
 ) -> Any:
     """A formula in the real amplitude; with names also its derivatives.
 
+    NaN where a divisor vanishes.
+
     Parameters
     ----------
     kernel : callable
@@ -154,7 +156,13 @@ def backbone_at(
         If the amplitude is not a finite real number, or negative, or the shapes do not broadcast.
     """
     a = checked_amplitude(amplitude, [x.shape for x in arguments])
-    return real_at(evaluate, kernel, [a, *arguments], names)
+    return real_at(_finite, kernel, [a, *arguments], names)
+
+
+def _finite(kernel: Kernel, arguments: Arguments) -> Any:
+    """One real number for each point, NaN where there is none."""
+    value = evaluate(kernel, arguments)
+    return np.where(np.isfinite(value), value, np.nan)[()]
 
 
 def checked_amplitude(
