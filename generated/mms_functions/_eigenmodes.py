@@ -10,6 +10,8 @@ from typing import Any
 
 import numpy as np
 
+from ._runtime import companion_roots
+
 __all__ = ["eigenmodes", "modal_values", "real_roots"]
 
 #: of coupled coordinates: their number; which are in quadrature; (degree, multiplicity) of each
@@ -38,7 +40,7 @@ def modal_values(entries: Any, layouts: tuple[Layout, ...]) -> dict[str, Any]:
     Returns
     -------
     dict
-        Name → array, NaN where M or K is not positive definite.
+        Name → array, NaN where M or K is not positive definite, or beyond the range of doubles.
     """
     numbers = np.asarray(entries, dtype=float)
     batch, start = numbers.shape[:-1], 0
@@ -52,11 +54,15 @@ def modal_values(entries: Any, layouts: tuple[Layout, ...]) -> dict[str, Any]:
             squares.append(np.repeat(roots, multiplicity, axis=-1))
             start += degree + 1
         inertia, gyroscopic, stiffness = (matrices[..., k, :, :] for k in range(3))
-        omega, shapes = eigenmodes(inertia, gyroscopic, stiffness, quadrature)
+        with np.errstate(all="ignore"):
+            omega, shapes = eigenmodes(inertia, gyroscopic, stiffness, quadrature)
         # Modes are numbered factor by factor, not by frequency.
-        rank = np.argsort(np.argsort(np.concatenate(squares, -1), -1, kind="stable"), -1)
-        omega = np.take_along_axis(omega, rank, axis=-1)
+        own = np.concatenate(squares, -1)
+        rank = np.argsort(np.argsort(own, -1, kind="stable"), -1)
+        known = np.isfinite(own).all(axis=-1)[..., None]
+        omega = np.where(known, np.take_along_axis(omega, rank, axis=-1), np.nan)
         shapes = np.take_along_axis(shapes, rank[..., None, :], axis=-1)
+        shapes = np.where(known[..., None], shapes, np.nan)
         for mode, (name, multiple) in enumerate(frequencies):
             if name:
                 result.setdefault(name, omega[..., mode] / multiple)
@@ -136,12 +142,9 @@ def real_roots(coefficients: Any) -> Any:
     Parameters
     ----------
     coefficients : array_like, shape (..., d + 1)
-        Lowest power first; the highest one is not zero.
+        Lowest power first; NaN comes out where one is not finite, or the highest one is zero.
     """
     c = np.asarray(coefficients, dtype=float)
-    degree = c.shape[-1] - 1
-    monic = c[..., :-1] / c[..., -1:]
-    companion = np.zeros((*c.shape[:-1], degree, degree))
-    companion[..., np.arange(1, degree), np.arange(degree - 1)] = 1.0
-    companion[..., :, -1] = -monic
-    return np.sort(np.linalg.eigvals(companion).real, axis=-1)
+    with np.errstate(all="ignore"):
+        monic = c[..., :-1] / c[..., -1:]
+    return np.sort(companion_roots(monic).real, axis=-1)

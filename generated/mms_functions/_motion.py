@@ -127,7 +127,7 @@ def response_at(
     with np.errstate(all="ignore"):
         summed = _sum(motion, table, slopes, times, moving, highest)
         small = _small(summed[1], _slowness(behind, arguments, columns, table, motion))
-    estimate = small ** (highest + 1)
+        estimate = np.float64(small) ** (highest + 1)  # infinite where a float would raise
     if estimate > LIMIT:
         warnings.warn(
             f"outside of the validity of the scaling: what counts as small amounts to {small:.2g} "

@@ -92,24 +92,49 @@ def beat(
         start = np.moveaxis(start, 0, -1)
         matrices = np.broadcast_to(matrix, (*shape, m, m)).reshape(-1, m, m)
         starts = np.broadcast_to(start, (*shape, m)).reshape(-1, m)
-        found = _of_block(matrices, starts).reshape(3, *shape, m)
+        with np.errstate(all="ignore"):
+            found = _in_units(matrices, starts).reshape(3, *shape, m)
         for row, (j, _) in reversed(list(enumerate(nodes))):
             period[..., j], largest[..., j], margin[..., j] = found[..., row]
     return Beating(period, largest, margin)
 
 
+def _in_units(matrices: NDArray[Any], starts: NDArray[Any]) -> NDArray[np.float64]:
+    """Period, largest and margin of points in a row, shape (3, points, m).
+
+    Rates and amplitudes are measured in powers of two near the largest of them: this changes no
+    digit, and their squares stay within the range of doubles.
+    """
+    out = np.full((3, *starts.shape), np.nan)
+    good = np.isfinite(matrices).all(axis=(-2, -1)) & np.isfinite(starts).all(axis=-1)
+    fast, large = _exponent(matrices[good], (-2, -1)), _exponent(starts[good], (-1,))
+    found = _of_block(_shifted(matrices[good], -fast), _shifted(starts[good], -large))
+    out[0, good] = np.ldexp(found[0], -fast[:, 0])
+    out[1:, good] = np.ldexp(found[1:], large)
+    return out
+
+
+def _exponent(numbers: NDArray[np.complex128], axes: tuple[int, ...]) -> NDArray[np.intc]:
+    """The power of two next to the largest part of complex numbers, the axes kept."""
+    largest = np.maximum(np.abs(numbers.real), np.abs(numbers.imag)).max(axis=axes, keepdims=True)
+    return np.asarray(np.frexp(largest)[1])
+
+
+def _shifted(numbers: NDArray[np.complex128], power: NDArray[np.intc]) -> NDArray[np.complex128]:
+    out = np.empty_like(numbers)
+    out.real, out.imag = np.ldexp(numbers.real, power), np.ldexp(numbers.imag, power)
+    return out
+
+
 def _of_block(matrices: NDArray[Any], starts: NDArray[Any]) -> NDArray[np.float64]:
-    """Period, largest and margin of points in a row, shape (3, points, m)."""
-    count, m = starts.shape
-    out = np.full((3, count, m), np.nan)
-    finite = np.isfinite(matrices).all(axis=(-2, -1)) & np.isfinite(starts).all(axis=-1)
-    good = np.flatnonzero(finite)
-    for rows, rates, parts, defective in _parts(matrices[good], starts[good]):
-        size = np.abs(matrices[good[rows]]).sum(axis=-1).max(axis=-1)
+    """Period, largest and margin of points in a row, all numbers finite."""
+    out = np.full((3, *starts.shape), np.nan)
+    for rows, rates, parts, defective in _parts(matrices, starts):
+        size = np.abs(matrices[rows]).sum(axis=-1).max(axis=-1)
         level = _SAME * size[:, None]
         weight = np.abs(parts)  # (points, K, m)
         whole = weight.sum(axis=1)
-        active = weight > _NOTHING * np.abs(starts[good[rows]]).max(axis=-1)[:, None, None]
+        active = weight > _NOTHING * np.abs(starts[rows]).max(axis=-1)[:, None, None]
         growing = ((rates.real > level)[:, :, None] & active).any(axis=1)
         decaying = ((rates.real < -level)[:, :, None] & active).any(axis=1)
         endless = growing | (defective & ~decaying & active.any(axis=1))
@@ -119,7 +144,7 @@ def _of_block(matrices: NDArray[Any], starts: NDArray[Any]) -> NDArray[np.float6
             chosen = decaying & ~endless & (defective != simple)
             search = np.flatnonzero(chosen.any(axis=1))
             if len(search):
-                points = good[rows[search]]
+                points = rows[search]
                 found = (
                     _searched(falling[search], parts[search])
                     if simple
@@ -128,7 +153,7 @@ def _of_block(matrices: NDArray[Any], starts: NDArray[Any]) -> NDArray[np.float6
                 own[1:, search] = np.where(chosen[search], found, own[1:, search])
         own[1][endless] = np.inf
         own[0][endless] = np.nan
-        out[:, good[rows]] = own
+        out[:, rows] = own
     return out
 
 
@@ -178,8 +203,7 @@ def _period(rates: NDArray[Any], active: NDArray[np.bool_]) -> NDArray[np.float6
     """2π over the difference of the two frequencies that take part."""
     turning = np.where(active, rates.imag[:, :, None], -np.inf).max(axis=1)
     lowest = np.where(active, rates.imag[:, :, None], np.inf).min(axis=1)
-    with np.errstate(all="ignore"):
-        period = 2 * np.pi / (turning - lowest)
+    period = 2 * np.pi / (turning - lowest)
     two = active.sum(axis=1) == 2
     return np.asarray(np.where(two & np.isfinite(period), period, np.nan))
 
@@ -195,8 +219,7 @@ def _searched(rates: NDArray[Any], parts: NDArray[Any]) -> NDArray[np.float64]:
     gaps = np.abs(rates.imag[:, :, None] - rates.imag[:, None, :])
     beat_ = np.where(gaps > 0.0, gaps, np.inf).min(axis=(1, 2))
     slowest = np.where(decay < 0.0, -decay, np.inf).min(axis=1)
-    with np.errstate(divide="ignore"):
-        until = np.minimum(2 * np.pi * (rates.shape[1] - 1) / beat_, 40.0 / slowest)
+    until = np.minimum(2 * np.pi * (rates.shape[1] - 1) / beat_, 40.0 / slowest)
     until = np.where(until > 0.0, until, 40.0 / slowest)
     sums = np.abs(rates[:, :, None] + rates[:, None, :].conj()) ** 2
     bend = np.einsum("pkj,plj,pkl->pj", weight, weight, sums)
