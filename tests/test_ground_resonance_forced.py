@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 import rotor
 import sympy as sp
-from entries import ROOT, certificates, demand_notebook
+from entries import ROOT, certificates, demand_fits, demand_notebook
 
 from mmsgen import orbits
 from mmsgen.certify import scaled_values
@@ -29,8 +29,9 @@ def test_the_notebook_is_that_of_the_script() -> None:
 def test_certificates() -> None:
     found = certificates(NAME)
     assert len(found) == 4
-    for name, data in found.items():
-        assert [str(fit["theory"]) for fit in data["fits"]] == [name[-1]]
+    for data in found.values():
+        # generic values: no error term vanishes, and the next one is small beside it
+        demand_fits(data, 0.1)
 
 
 def test_figures() -> None:
