@@ -187,7 +187,32 @@ axes = plotting.convergence(
 )
 
 # %% [markdown]
-# ## 7. The emitted functions
+# ## 7. The zones
+#
+# The two principal zones, at $2\omega_1$ and at $2\omega_2$, are just as wide as the one between
+# them at order 1, since the whirls are circles. Shaded: where Floquet theory of the exact equations
+# finds growth, the darker the faster. Order 2 moves the zones by little, the highest to where it
+# is; for the lowest one, beside whose frequency a strong modulation is large, more orders count.
+
+# %%
+for principal in cases[2:5:2]:
+    _, upper = principal.slow_flow.boundary()
+    assert sp.cancel(sp.powsimp((upper.subs(circles)) ** 2) - half_width**2) == 0
+
+depth = np.linspace(0.0, 2.5, 61)[1:]
+constant = {name: value for name, value in rotor.items() if name != "kappa"}
+chart = mg.floquet.chart(eom, constant, {nu: np.linspace(2.3, 6.5, 211)}, {kappa: depth})
+edges = {}
+for order in (1, 2):
+    zones = []
+    for case in cases[order - 1 : 6 : 2]:
+        centre = float(case.relations[0].rhs.subs({w: numbers[w.name] for w in (omega_1, omega_2)}))
+        zones.append(centre + case.slow_flow.boundaries({**rotor, "kappa": depth}))
+    edges[f"order {order}"] = (np.concatenate(zones, axis=1), depth)
+axes = plotting.stability_chart(chart, edges, xlabel="ν (rad/s)", ylabel="κ (N m/rad)")
+
+# %% [markdown]
+# ## 8. The emitted functions
 #
 # Beside the usual ones there is `modes`, which computes the named quantities from the parameters of
 # the rotor, as keywords for the others:
