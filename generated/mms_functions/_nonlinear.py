@@ -12,11 +12,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._dual import real_at
+from ._dual import array_slopes, real_at
 from ._flow import Flow, jacobian, rates, spectrum
-from ._records import Equilibria, Response
+from ._records import Equilibria
 from ._runtime import checked_amplitudes, evaluate, evaluate_array, refuse_masked
-from ._slopes import slopes_of
+from ._slopes import eigenvalue_slopes, jacobian_slopes, slopes_of
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
@@ -76,9 +76,25 @@ def drift_of(flow: Flow, c: NDArray[Any], b: NDArray[Any]) -> NDArray[np.float64
     return np.where(known[..., None], found, np.nan)
 
 
-def jacobian_at(
-    flow: Flow, kernel: Kernel, arguments: Arguments, amplitudes: ArrayLike
+def _moving(
+    flow: Flow, kernel: Kernel, arguments: Arguments, b: NDArray[Any], missing: NDArray[np.bool_]
 ) -> NDArray[np.float64]:
+    """Derivatives of the Jacobian by every parameter, the amplitudes fixed."""
+    dc = array_slopes(kernel, arguments, len(flow.terms))[1]
+    more = (1,) * (b.ndim + 1 - dc.ndim)  # axes of the amplitudes alone
+    dc = dc.reshape(len(arguments), *more, *dc.shape[1:])
+    turn = drift_of(flow, dc, b) if flow.symmetries else np.zeros(0)
+    lost = missing | ~np.isfinite(dc).all(axis=-1)
+    return np.where(lost[..., None, None], np.nan, jacobian_slopes(flow, dc, b, turn))
+
+
+def jacobian_at(
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    amplitudes: ArrayLike,
+    names: Sequence[str] = (),
+) -> Any:
     """The Jacobian of the Cartesian slow flow, in a frame that drifts with the point.
 
     Parameters
@@ -90,44 +106,63 @@ def jacobian_at(
         What it takes.
     amplitudes : array_like
         Shape (..., n); NaN gives NaN.
+    names : sequence of str
+        Of the arguments; empty where no derivatives are wanted.
 
     Returns
     -------
-    numpy.ndarray
+    numpy.ndarray, or (numpy.ndarray, dict)
         Shape (..., 2n, 2n), rows and columns u_1, v_1, u_2, … with B_j = (u_j + i v_j)/2; NaN
-        where a coefficient is not finite.
+        where a coefficient is not finite. Derivatives are taken with the amplitudes fixed.
     """
     with np.errstate(all="ignore"):
         c = coefficients_at(flow, kernel, arguments)
         b = _points(flow, amplitudes, c)
         drift = drift_of(flow, c, b) if flow.symmetries else None
         found = jacobian(flow, c, b, drift)
-    lost = _missing(b) | ~np.isfinite(c).all(axis=-1)
-    return np.where(lost[..., None, None], np.nan, found)
+        lost = _missing(b) | ~np.isfinite(c).all(axis=-1)
+        found = np.where(lost[..., None, None], np.nan, found)
+        if not names:
+            return found
+        change = _moving(flow, kernel, arguments, b, _missing(b))
+    return found, dict(zip(names, change, strict=True))
 
 
 def stability_at(
-    flow: Flow, kernel: Kernel, arguments: Arguments, amplitudes: ArrayLike
-) -> NDArray[np.complex128]:
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    amplitudes: ArrayLike,
+    names: Sequence[str] = (),
+) -> Any:
     """Eigenvalues of the Jacobian, the largest real part first.
 
     Parameters
     ----------
-    flow, kernel, arguments, amplitudes
+    flow, kernel, arguments, amplitudes, names
         As for `jacobian_at`.
 
     Returns
     -------
-    numpy.ndarray
-        Complex, shape (..., 2n); those that a symmetry makes zero are NaN, at the end.
+    numpy.ndarray, or (numpy.ndarray, dict)
+        Complex, shape (..., 2n); those that a symmetry makes zero are NaN, at the end. Derivatives
+        are taken with the amplitudes fixed, and are NaN where eigenvalues meet.
     """
     with np.errstate(all="ignore"):
         c = coefficients_at(flow, kernel, arguments)
         b = _points(flow, amplitudes, c)
         drift = drift_of(flow, c, b) if flow.symmetries else None
         lost = _missing(b)[..., None]
-        found = spectrum(flow, c, np.where(lost, 1.0, b), drift)
-    return np.where(lost, complex(np.nan, np.nan), found)
+        b = np.where(lost, 1.0, b)
+        if not names:
+            return np.where(lost, _NOTHING, spectrum(flow, c, b, drift))
+        matrices = jacobian(flow, c, b, drift)
+        change = _moving(flow, kernel, arguments, b, lost[..., 0])
+        values, slopes = eigenvalue_slopes(flow, matrices, change, b)
+    return np.where(lost, _NOTHING, values), dict(zip(names, slopes, strict=True))
+
+
+_NOTHING = complex(np.nan, np.nan)
 
 
 # --- curves ---------------------------------------------------------------------------------------
@@ -191,8 +226,13 @@ def checked_amplitude(
 
 
 def response_along(
-    flow: Flow, kernel: Kernel, arguments: Arguments, names: Sequence[str], over: str
-) -> Response:
+    flow: Flow,
+    kernel: Kernel,
+    arguments: Arguments,
+    names: Sequence[str],
+    over: str,
+    gradient: bool = False,
+) -> Any:
     """All equilibria along one parameter, as curves, with their bifurcations.
 
     Parameters
@@ -203,6 +243,13 @@ def response_along(
         Of the arguments.
     over : str
         Which of them varies.
+    gradient : bool
+        Whether derivatives are wanted.
+
+    Returns
+    -------
+    Response, or (Response, dict)
+        The dictionary is name → `ResponseSlopes`.
 
     Raises
     ------
@@ -232,7 +279,12 @@ def response_along(
         return coefficients_at(flow, kernel, own)
 
     with np.errstate(all="ignore"):
-        return response_of(flow, coefficients, values, name=over)
+        found = response_of(flow, coefficients, values, name=over)
+        if not gradient:
+            return found
+        from ._response_slopes import response_slopes  # as seldom used
+
+        return found, response_slopes(flow, kernel, fixed, names, place, found)
 
 
 # --- equilibria, and how they move with the parameters --------------------------------------------

@@ -6,6 +6,7 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
+import numpy as np
 import sympy as sp
 from codegen_systems import Emitted
 from sympy.physics.mechanics import dynamicsymbols
@@ -97,3 +98,34 @@ def nonlinear(name: str) -> Emitted:
 def functions(name: str) -> ModuleType:
     """The emitted module of one of `CASES`."""
     return nonlinear(name).module
+
+
+NUMBERS = {
+    "sigma": 0.21,
+    "sigma_1": 0.03,
+    "sigma_2": 0.02,
+    "alpha": 0.3,
+    "k": 0.25,
+    "mu": 0.03,
+    "nu": 0.05,
+    "omega": 1.3,
+    "omega_1": 1.1,
+    "K": 1.7,
+    "Omega": 5.1,
+}
+
+ISOLATED = [name for name in CASES if not name.startswith("free")]
+
+
+def values(name: str, function: str = "equilibria") -> dict[str, float]:
+    """Numbers for the parameters of a function."""
+    text = getattr(functions(name), function).__kwdefaults__ or {}
+    code = getattr(functions(name), function).__code__
+    names = code.co_varnames[code.co_argcount :][: code.co_kwonlyargcount]
+    return {n: NUMBERS[n] for n in names if n not in text}
+
+
+def points(name: str) -> Any:
+    """Two rows of amplitudes."""
+    n = len(functions(name).COORDINATES)
+    return (np.arange(1, n + 1) - 0.4j) * np.array([[0.5], [0.7 + 0.2j]])

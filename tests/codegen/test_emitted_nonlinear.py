@@ -9,31 +9,7 @@ import mpmath
 import numpy as np
 import pytest
 from codegen_systems import stored
-from nonlinear_systems import CASES, functions, nonlinear
-
-NUMBERS = {
-    "sigma": 0.21,
-    "sigma_1": 0.03,
-    "sigma_2": 0.02,
-    "alpha": 0.3,
-    "k": 0.25,
-    "mu": 0.03,
-    "nu": 0.05,
-    "omega": 1.3,
-    "omega_1": 1.1,
-    "K": 1.7,
-    "Omega": 5.1,
-}
-
-ISOLATED = [name for name in CASES if not name.startswith("free")]
-
-
-def values(name: str, function: str = "equilibria") -> dict[str, float]:
-    text = getattr(functions(name), function).__kwdefaults__ or {}
-    code = getattr(functions(name), function).__code__
-    names = code.co_varnames[code.co_argcount :][: code.co_kwonlyargcount]
-    return {n: NUMBERS[n] for n in names if n not in text}
-
+from nonlinear_systems import CASES, ISOLATED, NUMBERS, functions, nonlinear, points, values
 
 # --- reference values -----------------------------------------------------------------------------
 
@@ -51,11 +27,6 @@ def test_within_the_bound_of_the_running_error_analysis(name: str) -> None:
 
 
 # --- stability ------------------------------------------------------------------------------------
-
-
-def points(name: str) -> Any:
-    n = len(functions(name).COORDINATES)
-    return (np.arange(1, n + 1) - 0.4j) * np.array([[0.5], [0.7 + 0.2j]])
 
 
 @pytest.mark.parametrize("name", [n for n in CASES if n not in ("free1", "free2", "free3")])
@@ -164,106 +135,6 @@ def test_a_linear_oscillator_driven_in_resonance_without_damping_has_no_equilibr
     assert slopes["k"].amplitudes[1, 0, 0] == pytest.approx(b / 0.2, rel=1e-13)
     none = driven(sigma=0.0, k=0.2, mu=0.0, omega=1.0)
     assert none.amplitudes.shape == (0, 1)
-
-
-# --- how they move --------------------------------------------------------------------------------
-
-
-def scalars(found: Any) -> tuple[Any, Any]:
-    return found.amplitudes, found.drift
-
-
-@pytest.mark.parametrize("name", ISOLATED)
-def test_derivatives_of_equilibria(name: str) -> None:
-    module, given = functions(name), values(name)
-    found, slopes = module.equilibria(**given, gradient=True)
-    assert list(slopes) == list(given)
-    scale = 1.0 + np.abs(found.amplitudes).max()
-    for parameter, number in given.items():
-        h = 1e-4 * abs(number)
-        at = [
-            scalars(module.equilibria(**{**given, parameter: number + k * h}))
-            for k in (-2, -1, 1, 2)
-        ]
-        for own, before, lower, upper, after in zip(slopes[parameter], *at, strict=True):
-            wanted = (before - 8 * lower + 8 * upper - after) / (12 * h)
-            assert own.shape == before.shape
-            # h⁴ of a fifth derivative that may be 10⁶ times as large near a fold; 1e-15/h.
-            assert own == pytest.approx(wanted, rel=1e-7, abs=1e-10 * scale / h * 1e-4)
-
-
-def test_derivatives_are_those_of_the_relation_in_print() -> None:
-    """a(σ) on [μ² + (σ − ca²)²]a² = K²: da/dσ = (ca² − σ)a/(μ² + (σ − ca²)(σ − 3ca²))."""
-    given = {**values("primary1"), "sigma": np.array([-0.3, 0.21, 0.5])}
-    found, slopes = functions("primary1").equilibria(**given, gradient=True)
-    b, a = found.amplitudes[..., 0], found.modulus[..., 0]
-    slope = 4 * (b.conj() * slopes["sigma"].amplitudes[..., 0]).real / a
-    mu, sigma = NUMBERS["mu"], given["sigma"][:, None]
-    shift = 3 * NUMBERS["alpha"] * a**2 / (8 * NUMBERS["omega"])
-    wanted = (shift - sigma) * a / (mu**2 + (sigma - shift) * (sigma - 3 * shift))
-    # Cancellation in the denominator, 10³ at most.
-    assert slope == pytest.approx(wanted, rel=1e-11, nan_ok=True)
-
-
-def test_where_equilibria_meet_there_is_no_derivative() -> None:
-    """Parametric excitation without damping: zero changes its stability at σ = k/ω."""
-    given = {"sigma": [0.5, 0.75], "omega": 1.0, "alpha": 0.3, "k": 0.5, "mu": 0.0}
-    found, slopes = functions("swing").equilibria(**given, gradient=True)
-    at_rest = slopes["sigma"].amplitudes[:, 0, 0]
-    assert (found.amplitudes[:, 0, 0] == 0.0).all()
-    assert np.isnan(at_rest[0])
-    assert at_rest[1] == 0.0
-
-
-def at_bifurcation(
-    name: str, over: str, where: Any, kind: str, **more: float
-) -> tuple[Any, Any, Any]:
-    """A bifurcation, the equilibria there, and how they move."""
-    given = {**values(name), **more}
-    response = functions(name).frequency_response(**{**given, over: where}, over=over)
-    point = next(b for b in response.bifurcations if b.kind == kind)
-    found, slopes = functions(name).equilibria(**{**given, over: point.parameter}, gradient=True)
-    return point, found, slopes
-
-
-def nearest(point: Any, found: Any) -> Any:
-    """The equilibria at a bifurcation: within the square root of the precision of it."""
-    away = np.abs(np.abs(found.amplitudes) - np.abs(point.amplitudes)).max(axis=-1)
-    return away < 1e-6 * np.abs(point.amplitudes).max()
-
-
-@pytest.mark.parametrize("name", ["primary1", "primary2", "two"])
-def test_at_a_fold_derivatives_are_missing_and_elsewhere_they_are_there(name: str) -> None:
-    over = "sigma_2" if name == "two" else "sigma"
-    point, found, slopes = at_bifurcation(name, over, np.linspace(-0.2, 1.0, 41), "saddle-node")
-    at_fold = nearest(point, found)
-    assert 0 < at_fold.sum() < len(at_fold) == found.number
-    for own in slopes.values():
-        assert np.isnan(own.amplitudes[at_fold]).all()
-        assert np.isfinite(own.amplitudes[~at_fold]).all()
-    # Close by, the two move apart like the square root of the distance.
-    sizes = []
-    for distance in (1e-8, 4e-8):
-        for side in (-1, 1):
-            given = {**values(name), over: point.parameter + side * distance}
-            there, moving = functions(name).equilibria(**given, gradient=True)
-            assert np.isfinite(moving[over].amplitudes[np.isfinite(there.growth)]).all()
-            if there.number > (~at_fold).sum():
-                sizes.append(np.abs(moving[over].amplitudes).max())
-    # Corrections are of the order of the root of the distance.
-    assert sizes[0] / sizes[1] == pytest.approx(2.0, rel=2e-2)
-
-
-def test_derivatives_at_a_hopf_point_are_there() -> None:
-    """The Jacobian is regular there, though the growth rate is zero."""
-    more = {"k": 0.5, "mu": 0.01, "nu": 0.01, "sigma_1": 0.05}
-    point, found, slopes = at_bifurcation(
-        "two", "sigma_2", np.linspace(-0.6, 0.6, 61), "Hopf", **more
-    )
-    own = nearest(point, found)
-    # Located to 1e-10 of the range.
-    assert found.growth[own] == pytest.approx(np.zeros(own.sum()), abs=1e-9)
-    assert np.isfinite(slopes["sigma_2"].amplitudes[own]).all()
 
 
 # --- the text -------------------------------------------------------------------------------------

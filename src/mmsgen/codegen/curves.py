@@ -33,9 +33,9 @@ def response_function(setting: Setting, table: str, coefficients: str) -> Emitte
     if not setting.parameters:
         return None
     names = [p.name for p in setting.parameters]
-    over = fresh("over", names)
+    over, gradient = fresh("over", names), gradient_option(names)
     items = [f"{{{table}}}", f"{{{coefficients}}}", "{arguments}"]
-    items += [wanted(names), over]
+    items += [wanted(names), over, gradient.name]
     return EmittedFunction(
         name="frequency_response",
         arguments=setting.parameters,
@@ -48,12 +48,15 @@ def response_function(setting: Setting, table: str, coefficients: str) -> Emitte
         ),
         result=(
             "Its name, branches (parameter, amplitudes, drift, growth) and bifurcations "
-            "(saddle-nodes, pitchforks, transcritical and Hopf points)."
+            "(saddle-nodes, pitchforks, transcritical and Hopf points). With gradient also name -> "
+            "derivatives of the branches (amplitudes, drift, growth; NaN where they meet) and of "
+            "the values at which the bifurcations lie."
         ),
         reference=None,
         uses=("response_along",),
         options=(
             Option(over, "str", f'"{names[0]}"', "str, optional", "Name of the one that varies."),
+            gradient,
         ),
         kind="Response",
     )

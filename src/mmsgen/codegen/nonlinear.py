@@ -18,7 +18,7 @@ import sympy as sp
 from ..ir import compute_ir, fresh
 from .curves import backbone_function, response_function
 from .exact import exact
-from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Reference, called
+from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Option, Reference, called
 from .numpy_target import LINE_LENGTH, wrapped
 from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
@@ -96,8 +96,8 @@ def _equilibria_function(setting: Setting) -> EmittedFunction:
         result=(
             f"The arrays amplitudes (..., count, {n}), drift (..., count, {len(symmetries)}) in "
             "rad/s and growth (..., count) in 1/s, which is negative where an equilibrium is "
-            "stable. With gradient also name -> derivatives of amplitudes and drift, without "
-            "finite values where equilibria meet."
+            "stable. With gradient also name -> derivatives of amplitudes, drift and growth, NaN "
+            "where equilibria meet."
         ),
         reference=None,
         uses=("equilibria_at", solver),
@@ -106,9 +106,22 @@ def _equilibria_function(setting: Setting) -> EmittedFunction:
     )
 
 
+def _at_amplitudes(setting: Setting, amplitudes: str) -> tuple[list[str], tuple[Option, ...]]:
+    """What a function of given amplitudes is made of, and its keywords."""
+    names = [p.name for p in setting.parameters]
+    items = [f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}", amplitudes]
+    if not names:
+        return items, ()
+    gradient = gradient_option(names)
+    return [*items, wanted(names, gradient)], (gradient,)
+
+
+_FIXED = "; with gradient this and name -> derivatives, the amplitudes fixed."
+
+
 def _jacobian_function(setting: Setting, kernel: Kernel, out: str) -> EmittedFunction:
     n, leading = len(setting.coordinates), _leading(setting)
-    items = [f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}", leading[0][0]]
+    items, options = _at_amplitudes(setting, leading[0][0])
     free = bool(setting.flow.table.flow.symmetries)
 
     def reference(point: Mapping[str, Any]) -> Reference:
@@ -121,13 +134,16 @@ def _jacobian_function(setting: Setting, kernel: Kernel, out: str) -> EmittedFun
         name="jacobian",
         arguments=setting.parameters,
         body=called("{jacobian_at}", items),
-        returns="NDArray[np.float64]",
+        returns="Any",
         summary="Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.",
         description="In the frame of `slow_flow`" + (_DRIFTING if free else "") + ".",
-        result=f"Shape (..., {2 * n}, {2 * n}), in 1/s, rows and columns u_1, v_1, u_2, …",
+        result=f"Shape (..., {2 * n}, {2 * n}), in 1/s, rows and columns u_1, v_1, u_2, …"
+        + (_FIXED if options else "."),
         reference=None if free else reference,
         uses=("jacobian_at",),
         leading=leading,
+        options=options,
+        kind="float64",
     )
 
 
@@ -139,7 +155,7 @@ _DRIFTING = (
 
 def _stability_function(setting: Setting) -> EmittedFunction:
     n, leading = len(setting.coordinates), _leading(setting)
-    items = [f"{{{TABLE}}}", f"{{{COEFFICIENTS}}}", "{arguments}", leading[0][0]]
+    items, options = _at_amplitudes(setting, leading[0][0])
     text = "Small disturbances of an equilibrium grow like exp(Γ t)."
     if setting.flow.table.flow.symmetries:
         text += " Each symmetry that moves the point has a zero, which is left out."
@@ -147,13 +163,20 @@ def _stability_function(setting: Setting) -> EmittedFunction:
         name="stability",
         arguments=setting.parameters,
         body=called("{stability_at}", items),
-        returns="NDArray[np.complex128]",
+        returns="Any",
         summary="Eigenvalues Γ of the Jacobian, the largest real part first.",
         description=text,
-        result=f"Shape (..., {2 * n}), in 1/s; NaN at the end for those that are left out.",
+        result=f"Shape (..., {2 * n}), in 1/s; NaN at the end for those that are left out"
+        + (
+            _FIXED.replace("amplitudes fixed", "amplitudes fixed; NaN where eigenvalues meet")
+            if options
+            else "."
+        ),
         reference=None,
         uses=("stability_at",),
         leading=leading,
+        options=options,
+        kind="complex128",
     )
 
 

@@ -21,7 +21,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Flow", "jacobian", "rates", "spectrum", "wirtinger"]
+__all__ = ["Flow", "in_order", "jacobian", "rates", "spectrum", "wirtinger"]
 
 
 class Flow(NamedTuple):
@@ -166,14 +166,39 @@ def spectrum(
     finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
     values = np.linalg.eigvals(np.where(finite[..., None, None], matrices, 0.0)).astype(complex)
     values = np.where(finite[..., None], values, complex(np.nan, np.nan))
+    order, kept = in_order(flow, values, amplitudes)
+    values = np.where(kept, np.take_along_axis(values, order, axis=-1), complex(np.nan, np.nan))
+    return values
+
+
+def in_order(
+    flow: Flow, values: NDArray[np.complex128], amplitudes: Any
+) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
+    """How eigenvalues are sorted by `spectrum`, and which places are theirs.
+
+    Parameters
+    ----------
+    flow, amplitudes
+        As for `spectrum`.
+    values : numpy.ndarray
+        All eigenvalues, shape (..., 2n), NaN where they are unknown.
+
+    Returns
+    -------
+    order : numpy.ndarray
+        Indices along the last axis: the largest real part first, those that symmetries make zero
+        at the end.
+    kept : numpy.ndarray
+        False at the places of the latter.
+    """
+    rank = -values.real
+    left_out: Any = 0
     if flow.symmetries:
-        moved = _moved(flow, amplitudes)
-        moved = np.broadcast_to(moved, values.shape[:-1])
-        order = np.argsort(np.abs(values), axis=-1)
-        values = np.take_along_axis(values, order, axis=-1)
-        values = np.where(np.arange(2 * flow.n) < moved[..., None], complex(np.nan, np.nan), values)
-    order = np.argsort(-values.real, axis=-1)  # NaN comes last
-    return np.take_along_axis(values, order, axis=-1)
+        left_out = np.broadcast_to(_moved(flow, amplitudes), values.shape[:-1])[..., None]
+        small = np.argsort(np.argsort(np.abs(values), axis=-1), axis=-1)
+        rank = np.where(small < left_out, np.inf, rank)
+    kept = np.arange(2 * flow.n) < 2 * flow.n - left_out
+    return np.argsort(rank, axis=-1), np.broadcast_to(kept, values.shape)  # NaN comes last
 
 
 def _moved(flow: Flow, amplitudes: Any) -> NDArray[np.int64]:

@@ -8,17 +8,28 @@ there is no derivative.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from ._dual import array_slopes
-from ._flow import Flow, jacobian, rates, wirtinger
+from ._flow import Flow, in_order, jacobian, rates, wirtinger
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Slopes", "slopes_of"]
+__all__ = [
+    "Slopes",
+    "bordered",
+    "carried",
+    "directions",
+    "eigenvalue_slopes",
+    "forces",
+    "in_parts",
+    "jacobian_slopes",
+    "slopes_of",
+]
 
 Kernel = Callable[..., Any]
 Arguments = Sequence["NDArray[np.float64]"]
@@ -39,10 +50,13 @@ class Slopes(NamedTuple):
         Complex dB_j/dp, shape (..., k, n). Phases are normalised as those of the amplitudes are.
     drift : numpy.ndarray
         Shape (..., k, g): dρ/dp.
+    growth : numpy.ndarray
+        Shape (..., k): of the growth rate; NaN where two eigenvalues meet that share it.
     """
 
     amplitudes: NDArray[np.complex128]
     drift: NDArray[np.float64]
+    growth: NDArray[np.float64]
 
 
 def slopes_of(
@@ -77,19 +91,135 @@ def slopes_of(
     values, slopes = array_slopes(kernel, arguments, len(flow.terms))
     c, dc = values[..., None, :], slopes[..., None, :]
     with np.errstate(all="ignore"):
-        matrix = _bordered(flow, c, amplitudes, drift)
-        force = rates(flow, dc, amplitudes)  # (parameters, ..., k, n)
-        right = np.zeros((*force.shape[:-1], matrix.shape[-1]))
-        right[..., 0 : 2 * flow.n : 2] = -2.0 * force.real
-        right[..., 1 : 2 * flow.n : 2] = -2.0 * force.imag
+        matrix = bordered(flow, c, amplitudes, drift)
+        right = -forces(flow, dc, amplitudes)
         inverse = _inverse(matrix)
         inverse[_undecided(flow, c, amplitudes, drift, inverse)] = np.nan
         moved = np.einsum("...ij,...j->...i", inverse, right)
-    speed = (moved[..., 0 : 2 * flow.n : 2] + 1j * moved[..., 1 : 2 * flow.n : 2]) / 2.0
-    return {name: Slopes(speed[i], moved[i, ..., 2 * flow.n :]) for i, name in enumerate(names)}
+        n = flow.n
+        speed, turn = in_parts(flow, moved)
+        change = jacobian_slopes(flow, dc, amplitudes, turn) + carried(flow, c, amplitudes, speed)
+        growth = eigenvalue_slopes(flow, matrix[..., : 2 * n, : 2 * n], change, amplitudes)[1]
+    each = zip(speed, turn, growth[..., 0].real, strict=True)
+    return {name: Slopes(*own) for name, own in zip(names, each, strict=True)}
 
 
-def _inverse(matrices: NDArray[np.float64]) -> NDArray[np.float64]:
+# --- the Jacobian and its eigenvalues -------------------------------------------------------------
+
+
+def jacobian_slopes(
+    flow: Flow, dc: NDArray[Any], amplitudes: NDArray[Any], turn: NDArray[Any]
+) -> NDArray[np.float64]:
+    """Derivatives of the Jacobian by the parameters, the amplitudes fixed.
+
+    Parameters
+    ----------
+    flow : Flow
+    dc : numpy.ndarray
+        Shape (parameters, ..., terms): those of the coefficients.
+    amplitudes : numpy.ndarray
+        Shape (..., n).
+    turn : numpy.ndarray
+        Shape (parameters, ..., symmetries): those of the drift.
+
+    Returns
+    -------
+    numpy.ndarray
+        Shape (parameters, ..., 2n, 2n): the Jacobian is linear in both.
+    """
+    return jacobian(flow, dc, amplitudes, turn if flow.symmetries else None)
+
+
+def carried(
+    flow: Flow, c: NDArray[Any], amplitudes: NDArray[Any], speed: NDArray[Any]
+) -> NDArray[np.float64]:
+    """Derivatives of the Jacobian as the amplitudes move."""
+    n = flow.n
+    wide, places, weights = _lifted(flow)
+    both = np.concatenate(np.broadcast_arrays(amplitudes, speed), axis=-1)
+    return jacobian(wide, c[..., list(places)] * np.array(weights), both)[..., 2 * n :, : 2 * n]
+
+
+@lru_cache(maxsize=64)
+def _lifted(flow: Flow) -> tuple[Flow, tuple[int, ...], tuple[float, ...]]:
+    """The flow of B beside its derivative along Ḃ, a flow of the 2n amplitudes (B, Ḃ).
+
+    Its Jacobian by B has the derivative of the first flow's Jacobian along Ḃ in its lower half.
+
+    Returns
+    -------
+    flow : Flow
+        Without symmetries.
+    places : tuple of int
+        Which coefficient of the first flow belongs to each term.
+    weights : tuple of float
+        By what it is multiplied there.
+    """
+    n, plain = flow.n, (0,) * (3 * flow.n)
+    terms: list[tuple[int, tuple[int, ...]]] = []
+    places, weights = [], []
+    for m, (j, e) in enumerate(flow.terms):
+        found = [(j, (*e, *plain), 1.0)]
+        for k in range(n):
+            r, s, t = e[3 * k : 3 * k + 3]
+            # d|B|^t = (t/2) |B|^{t-2} (B̄ dB + B dB̄)
+            for weight, own, moving in (
+                (r, (r - 1, s, t), (1, 0, 0)),
+                (s, (r, s - 1, t), (0, 1, 0)),
+                (t / 2, (r, s + 1, t - 2), (1, 0, 0)),
+                (t / 2, (r + 1, s, t - 2), (0, 1, 0)),
+            ):
+                if weight:
+                    first = (*e[: 3 * k], *own, *e[3 * k + 3 :])
+                    second = (*plain[: 3 * k], *moving, *plain[3 * k + 3 :])
+                    found.append((n + j, (*first, *second), float(weight)))
+        for j_, e_, weight in found:
+            terms.append((j_, e_))
+            places.append(m)
+            weights.append(weight)
+    return Flow(2 * n, tuple(terms)), tuple(places), tuple(weights)
+
+
+def eigenvalue_slopes(
+    flow: Flow, matrices: NDArray[Any], changes: NDArray[Any], amplitudes: NDArray[Any]
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Eigenvalues of Jacobians, and their derivatives.
+
+    Parameters
+    ----------
+    flow : Flow
+    matrices : numpy.ndarray
+        Shape (..., 2n, 2n).
+    changes : numpy.ndarray
+        Shape (parameters, ..., 2n, 2n).
+    amplitudes : numpy.ndarray
+        Shape (..., n).
+
+    Returns
+    -------
+    values : numpy.ndarray
+        As from `spectrum`.
+    slopes : numpy.ndarray
+        Shape (parameters, ..., 2n); NaN where eigenvalues meet, unless each keeps its eigenvector.
+    """
+    finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
+    values, right = np.linalg.eig(np.where(finite[..., None, None], matrices, 0.0))
+    values = np.where(finite[..., None], values.astype(complex), np.nan)
+    left = _inverse(right.astype(complex))
+    slopes = np.einsum("...ai,...ia->...a", left, changes @ right)
+    # How many digits of the matrix an eigenvalue loses.
+    skew = np.linalg.norm(left, axis=-1) * np.linalg.norm(right, axis=-2)
+    slopes = np.where(finite[..., None] & (skew * EPS**0.5 < 1.0), slopes, np.nan)
+    order, kept = in_order(flow, values, amplitudes)
+    values = np.where(kept, np.take_along_axis(values, order, axis=-1), np.nan)
+    order = np.broadcast_to(order, slopes.shape)
+    return values, np.where(kept, np.take_along_axis(slopes, order, axis=-1), np.nan)
+
+
+# --- the equations of an equilibrium --------------------------------------------------------------
+
+
+def _inverse(matrices: NDArray[Any]) -> NDArray[Any]:
     """Inverses, NaN where there is none."""
     finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
     unit = np.eye(matrices.shape[-1])
@@ -145,7 +275,22 @@ def _undecided(
     return np.asarray(~(norm < 0.5))
 
 
-def _bordered(
+def forces(flow: Flow, dc: NDArray[Any], amplitudes: NDArray[Any]) -> NDArray[np.float64]:
+    """Derivatives of the equations of an equilibrium by the parameters, the amplitudes fixed."""
+    force = rates(flow, dc, amplitudes)
+    found = np.zeros((*force.shape[:-1], 2 * flow.n + len(flow.symmetries)))
+    found[..., 0 : 2 * flow.n : 2] = 2.0 * force.real
+    found[..., 1 : 2 * flow.n : 2] = 2.0 * force.imag
+    return found
+
+
+def in_parts(flow: Flow, moved: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[np.float64]]:
+    """Complex amplitudes, and the rates of drift, of what u_1, v_1, …, ρ_1, … do."""
+    n = flow.n
+    return (moved[..., 0 : 2 * n : 2] + 1j * moved[..., 1 : 2 * n : 2]) / 2.0, moved[..., 2 * n :]
+
+
+def bordered(
     flow: Flow, c: NDArray[Any], b: NDArray[np.complex128], drift: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """The Jacobian by u_1, v_1, … and ρ_1, …, with a row for each phase that is fixed."""
@@ -157,15 +302,20 @@ def _bordered(
         return inner
     whole = np.zeros((*inner.shape[:-2], 2 * n + g, 2 * n + g))
     whole[..., : 2 * n, : 2 * n] = inner
-    for a, k in enumerate(flow.symmetries):
-        direction = -2j * np.array(k) * b
-        whole[..., 0 : 2 * n : 2, 2 * n + a] = direction.real
-        whole[..., 1 : 2 * n : 2, 2 * n + a] = direction.imag
+    whole[..., : 2 * n, 2 * n :] = directions(flow, b)
     active = np.abs(b) > 0.0
     flat, rows = whole.reshape(-1, 2 * n + g, 2 * n + g), active.reshape(-1, n)
     for pattern in np.unique(rows, axis=0):
         flat[(rows == pattern).all(axis=1), 2 * n :] = _phase_rows(flow, pattern)
     return flat.reshape(whole.shape)
+
+
+def directions(flow: Flow, b: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """What the equations change by with the rates of drift: shape (..., 2n, symmetries)."""
+    turned = -2j * np.array(flow.symmetries).T * b[..., None]
+    return np.stack((turned.real, turned.imag), axis=-2).reshape(
+        *b.shape[:-1], 2 * flow.n, len(flow.symmetries)
+    )
 
 
 def _phase_rows(flow: Flow, active: NDArray[np.bool_]) -> NDArray[np.float64]:
