@@ -1,4 +1,5 @@
-"""Functions emitted by mmsgen: a subpackage for each model, in it a module for each case.
+"""What emitted packages share, and the engine uses as well: plain NumPy, copied as it stands.
 
-Importing needs NumPy alone.
+A module ``_x`` here becomes ``mms_functions/_x.py``: it may import NumPy and its neighbours, and
+nothing else.
 """

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._dual import Dual, zone_slopes
+from ._dual import Dual, boundaries_at, real_at, zone_slopes
 from ._runtime import companion_roots, evaluate_pair, stacked
 
 if TYPE_CHECKING:
@@ -186,8 +186,12 @@ def _intervals(
 
 
 def explicit_edges(
-    resonance: Kernel, boundaries: Kernel, multiple: float, arguments: Sequence[NDArray[np.float64]]
-) -> tuple[Any, Any]:
+    resonance: Kernel,
+    boundaries: Kernel,
+    multiple: float,
+    arguments: Sequence[NDArray[np.float64]],
+    names: Sequence[str] = (),
+) -> Any:
     """Edges in a frequency on which nothing else depends.
 
     Parameters
@@ -199,6 +203,13 @@ def explicit_edges(
     multiple : float
         k, where k·frequency = … + detuning.
     arguments : sequence of numpy.ndarray
+    names : sequence of str
+        Of the arguments; empty where no derivatives are wanted.
+
+    Returns
+    -------
+    tuple, or (tuple, dict)
+        (lower, upper), or this and name → (slope of lower, slope of upper).
     """
 
     def kernel(*inputs: Any) -> tuple[Any, Any]:
@@ -206,16 +217,20 @@ def explicit_edges(
         lower, upper = boundaries(*rest)
         return _positive(centre + lower / multiple), _positive(centre + upper / multiple)
 
-    return evaluate_pair(kernel, arguments)
+    return boundaries_at(evaluate_pair, kernel, arguments, names)
 
 
 def _positive(frequency: Any) -> Any:
-    return np.where((np.asarray(frequency) > 0.0) & np.isfinite(frequency), frequency, np.nan)
+    value = np.asarray(_values(frequency))
+    return np.where((value > 0.0) & np.isfinite(value), frequency, np.nan)
 
 
 def implicit_edges(
-    detuning: Kernel, boundaries: Kernel, arguments: Sequence[NDArray[np.float64]]
-) -> tuple[Any, Any]:
+    detuning: Kernel,
+    boundaries: Kernel,
+    arguments: Sequence[NDArray[np.float64]],
+    names: Sequence[str] = (),
+) -> Any:
     """Edges in a frequency on which parameters depend, to full double precision.
 
     First the frequency without detuning, its smallest positive value, looked for from a
@@ -229,7 +244,13 @@ def implicit_edges(
         Frequency, arguments → the detuning, then the arguments of `boundaries`.
     boundaries : callable
         Its arguments → both edges in the detuning.
-    arguments : sequence of numpy.ndarray
+    arguments, names
+        As for `explicit_edges`.
+
+    Returns
+    -------
+    tuple, or (tuple, dict)
+        As from `explicit_edges`.
     """
     shape = np.broadcast_shapes(*(a.shape for a in arguments))
     size = int(np.prod(shape, dtype=np.int64))
@@ -240,7 +261,21 @@ def implicit_edges(
             part = slice(start, min(start + BLOCK, size))
             inputs = [a if a.ndim == 0 else a[part] for a in flat]
             edges[:, part] = _edges(detuning, boundaries, inputs, part.stop - part.start)
-    return edges[0].reshape(shape)[()], edges[1].reshape(shape)[()]
+    pair = edges[0].reshape(shape)[()], edges[1].reshape(shape)[()]
+    if not names:
+        return pair
+    moved = []
+    for edge, frequency in enumerate(pair):
+
+        def gap(unknown: Any, *inputs: Any, edge: int = edge) -> Any:
+            sigma, *rest = detuning(unknown, *inputs)
+            return sigma - boundaries(*rest)[edge]
+
+        every = ["", *names]
+        slopes = real_at(lambda *_: 0.0, gap, [np.asarray(frequency), *arguments], every)[1]
+        with np.errstate(all="ignore"):
+            moved.append({name: -slopes[name] / slopes[""] for name in names})
+    return pair, {name: (moved[0][name], moved[1][name]) for name in names}
 
 
 # Steps from the frequency without detuning towards an edge, in units of Newton's step.

@@ -1,4 +1,4 @@
-"""What all emitted modules share: checked arguments, evaluation in blocks, growth rates.
+"""What all emitted modules share: checked arguments, evaluation in blocks.
 
 NumPy is all that is needed.
 """
@@ -18,17 +18,12 @@ __all__ = [
     "checked",
     "checked_amplitudes",
     "companion_roots",
-    "conservative_growth",
     "defined",
     "evaluate",
     "evaluate_array",
     "evaluate_pair",
-    "growing",
-    "largest",
-    "matrix_growth",
     "multiply_out",
     "no_edges",
-    "quadratic_growth",
     "refuse_masked",
     "stacked",
 ]
@@ -258,51 +253,7 @@ def no_edges(*arguments: Any) -> tuple[float, float]:
     return np.nan, np.nan
 
 
-# --- growth rates ---------------------------------------------------------------------------------
-
-
-def largest(*rates: Any) -> Any:
-    """The largest of several growth rates; NaN where one of them is."""
-    result = rates[0]
-    for rate in rates[1:]:
-        result = np.maximum(result, rate)
-    return result
-
-
-def growing(discriminant: Any) -> Any:
-    """Growth rate of a quadratic whose modes are neutral unless its discriminant is positive."""
-    rate = 0.5 * np.sqrt(np.maximum(discriminant, 0.0))
-    return np.where(np.isfinite(discriminant), rate, np.nan)
-
-
-def quadratic_growth(b: Any, c: Any) -> Any:
-    """Largest real part of the roots of Γ² + bΓ + c."""
-    b, c = np.asarray(b, dtype=np.complex128), np.asarray(c, dtype=np.complex128)
-    root = np.sqrt(b * b - 4.0 * c)
-    # The root of larger modulus by a sum without cancellation, the other from their product.
-    root = np.where((b.conj() * root).real < 0.0, -root, root)
-    q = -0.5 * (b + root)
-    other = np.where(q == 0.0, 0.0, c / np.where(q == 0.0, 1.0, q))
-    rate = np.maximum(q.real, other.real)
-    return np.where(np.isfinite(b) & np.isfinite(c), rate, np.nan)
-
-
-def conservative_growth(*coefficients: Any) -> Any:
-    """Largest imaginary part of the roots of a real monic polynomial, lowest power first.
-
-    Real roots come out exactly real from the eigenvalues of a real matrix, so that neutral modes
-    give exactly 0.0.
-    """
-    return np.abs(companion_roots(stacked(coefficients)).imag).max(axis=-1)
-
-
-def matrix_growth(n: int, *entries: Any) -> Any:
-    """Largest real part of the eigenvalues of an n × n matrix, its entries row by row."""
-    table = stacked(entries)
-    matrices = table.reshape(*table.shape[:-1], n, n)
-    finite = np.isfinite(table).all(axis=-1)
-    values = np.linalg.eigvals(np.where(finite[..., None, None], matrices, 0.0))
-    return np.where(finite, values.real.max(axis=-1), np.nan)
+# --- polynomials and matrices ---------------------------------------------------------------------
 
 
 def multiply_out(out: NDArray[np.complex128], *factors: tuple[Sequence[Any], int]) -> None:

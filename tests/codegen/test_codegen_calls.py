@@ -12,7 +12,7 @@ from codegen_systems import CASES, emitted, leading
 from hypothesis import assume, example, given
 from hypothesis import strategies as st
 
-from mmsgen.runtime import _runtime
+from mmsgen.runtime import _growth
 from mmsgen.runtime._edges import zone
 
 VALUES = {"sigma": 0.1, "r_m": 0.03, "r_b": 0.2, "omega_x": 3.0, "omega_phi": 2.0}
@@ -254,18 +254,18 @@ def test_nan_on_a_further_resonance() -> None:
 def test_nan_in_one_factor_is_not_hidden_by_another() -> None:
     nan, inf = np.nan, np.inf
     with np.errstate(invalid="ignore"):
-        assert np.isnan(_runtime.largest(_runtime.growing(nan), 0.0))
-        assert np.isnan(_runtime.growing(-inf))
-        assert np.isnan(_runtime.conservative_growth(np.array([nan]), np.array([1.0]), 0.0)).all()
-        assert np.isnan(_runtime.quadratic_growth(np.array([inf]), np.array([1.0]))).all()
-        assert np.isnan(_runtime.matrix_growth(2, np.array([nan]), 0.0, 0.0, 1.0)).all()
+        assert np.isnan(_growth.largest(_growth.growing(nan), 0.0))
+        assert np.isnan(_growth.growing(-inf))
+        assert np.isnan(_growth.conservative_growth(np.array([nan]), np.array([1.0]), 0.0)).all()
+        assert np.isnan(_growth.quadratic_growth(np.array([inf]), np.array([1.0]))).all()
+        assert np.isnan(_growth.matrix_growth(2, np.array([nan]), 0.0, 0.0, 1.0)).all()
 
 
 def test_quadratic_roots_without_cancellation() -> None:
     # (Γ + 1e9)(Γ + 1e-9): the slow root would be lost in b² − 4c.
-    assert _runtime.quadratic_growth(1e9 + 1e-9, 1.0) == pytest.approx(-1e-9, rel=4 * 2**-52)
-    assert _runtime.quadratic_growth(0.0, 0.0) == 0.0
-    assert _runtime.quadratic_growth(-2.0, 1.0) == 1.0
+    assert _growth.quadratic_growth(1e9 + 1e-9, 1.0) == pytest.approx(-1e-9, rel=4 * 2**-52)
+    assert _growth.quadratic_growth(0.0, 0.0) == 0.0
+    assert _growth.quadratic_growth(-2.0, 1.0) == 1.0
 
 
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")  # callers switch these off

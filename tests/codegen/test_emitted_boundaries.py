@@ -1,4 +1,4 @@
-"""Derivatives of emitted boundaries by every parameter."""
+"""Derivatives of emitted boundaries, growth rates and critical speeds by every parameter."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import mpmath
 import numpy as np
 import pytest
-from codegen_systems import emitted
+from codegen_systems import PAPER, emitted
 
 from mmsgen.codegen import emitted_functions
 from mmsgen.codegen.kernels import EmittedFunction
@@ -19,17 +19,20 @@ ZONES = ("damped", "pair", "numeric", "coupled", "lossy", "stable")
 
 
 @cache
-def boundaries_of(name: str) -> EmittedFunction:
+def function_of(name: str, function: str) -> EmittedFunction:
     functions = emitted_functions(Setting(emitted(name).case))
-    return next(f for f in functions if f.name == "boundaries")
+    return next(f for f in functions if f.name == function)
 
 
-def exact_slopes(name: str, point: dict[str, Any], parameter: str) -> Any:
-    """Differences of the edges in 40 digits: a step of 1e-14, squared, leaves ten digits and more.
+def exact_slopes(
+    name: str, point: dict[str, Any], parameter: str, function: str = "boundaries"
+) -> Any:
+    """Differences in 40 digits: a step of 1e-14, squared, leaves ten digits and more.
 
-    The edges come from the symbolic criterion, not from emitted code.
+    The values come from the symbolic criterion, or from the characteristic polynomial, not from
+    emitted code.
     """
-    boundaries = boundaries_of(name)
+    boundaries = function_of(name, function)
     assert boundaries.reference is not None
     with mpmath.workdps(40):
         h = mpmath.mpf("1e-14") * abs(point[parameter])
@@ -75,3 +78,66 @@ def test_shapes_and_missing_edges() -> None:
     with np.errstate(invalid="ignore"):
         assert slopes["f"][1] == pytest.approx(f / upper, rel=1e-13, nan_ok=True)
         assert slopes["mu"][0] == pytest.approx(-4 * mu / lower, rel=1e-13, nan_ok=True)
+
+
+# Discriminants, damped quadratics, a conservative polynomial, matrices, nothing but neutral modes.
+RATES = ("rotor2", "damped", "pair", "coupled", "lossy", "lossy_both", "stable", "numeric")
+
+
+@pytest.mark.parametrize("name", RATES)
+def test_growth_rates_move_as_in_many_digits(name: str) -> None:
+    one = emitted(name)
+    for stored in one.reference["functions"]["growth_rate"]:
+        given = stored["arguments"]
+        rate, slopes = one.module.growth_rate(**given, gradient=True)
+        assert rate == pytest.approx(one.module.growth_rate(**given), rel=1e-12, abs=1e-14)
+        assert list(slopes) == list(given)
+        point = {n: mpmath.mpf(v) for n, v in given.items()}
+        for parameter, own in slopes.items():
+            (wanted,) = exact_slopes(name, point, parameter, "growth_rate")
+            # Roundings of frequencies up to 50 and of what their eigenvalues lose.
+            assert own == pytest.approx(wanted, rel=1e-10, abs=1e-12), parameter
+
+
+def test_growth_rates_of_many_points() -> None:
+    """Γ = √(f² − σ²ω²)/2ω − μ of the damped equation of Mathieu."""
+    sigma, f = np.linspace(-0.3, 0.3, 7), np.array([[0.1], [0.2]])
+    given = {"sigma": sigma, "omega": 1.0, "f": f, "mu": 0.02}
+    rate, slopes = emitted("damped").module.growth_rate(**given, gradient=True)
+    assert {x.shape for x in slopes.values()} == {rate.shape} == {(2, 7)}
+    inside = np.abs(sigma) < f * (1 - 1e-12)
+    edge = np.abs(np.abs(sigma) - f) < 1e-12
+    assert edge.sum() == 4
+    with np.errstate(divide="ignore", invalid="ignore"):
+        wanted = np.where(inside, f / np.sqrt(f**2 - sigma**2) / 2, 0.0)
+    assert slopes["f"][~edge] == pytest.approx(wanted[~edge], rel=1e-12)
+    assert slopes["mu"][~edge] == pytest.approx(np.full((~edge).sum(), -1.0), rel=1e-14)
+
+
+MORE = {**PAPER, "mu_1": 0.05, "mu_2": 0.05, "mu": 0.05, "omega": 3.0, "f": 0.5, "omega_y": 30.0}
+
+
+@pytest.mark.parametrize("name", ["rotor", "rotor2", "damped", "lossy", "numeric"])
+def test_critical_speeds_move_as_in_many_digits(name: str) -> None:
+    speeds = emitted(name).module.critical_speeds
+    given = {p.name: MORE[p.name] for p in function_of(name, "critical_speeds").arguments}
+    plain = speeds(**given)
+    assert np.isfinite(plain).all()
+    pair, slopes = speeds(**given, gradient=True)
+    assert pair == plain
+    assert list(slopes) == list(given)
+    point = {n: mpmath.mpf(v) for n, v in given.items()}
+    for parameter, own in slopes.items():
+        wanted = exact_slopes(name, point, parameter, "critical_speeds")
+        # The speed is known to a rounding, and enters the slopes once.
+        size = np.abs(wanted).max() + np.abs(plain).max() / abs(given[parameter])
+        assert np.abs(np.array(own) - wanted).max() < 1e-11 * size, parameter
+
+
+def test_without_critical_speeds_there_are_no_slopes() -> None:
+    given = {n: PAPER[n] for n in ("r_m", "r_b", "omega_x", "r_a", "omega_b")}
+    pair, slopes = emitted("rotor").module.critical_speeds(
+        **{**given, "r_a": [0.2, 1.5]}, gradient=True
+    )
+    for edges in (pair, *slopes.values()):
+        assert np.isfinite(edges).tolist() == [[True, False]] * 2

@@ -22,7 +22,8 @@ from ..field import Coefficient
 from ..ir import compute_ir, fresh
 from ..linear_flow import Block
 from .exact import exact
-from .kernels import EmittedFunction, Kernel, Reference, Statement
+from .kernels import EmittedFunction, Kernel, Reference, Statement, called
+from .options import gradient_option, wanted
 from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
@@ -136,17 +137,29 @@ def growth_function(setting: Setting) -> EmittedFunction:
         arguments = values_of(point, setting.parameters)
         return _reference(setting, plan, kernel, arguments)
 
+    names = [p.name for p in setting.parameters]
+    gradient = gradient_option(names)
+    items = ["{evaluate}", "{_growth_rate}", "{arguments}"]
+    items.append(wanted(names, gradient) if names else "()")
+    result = "In 1/s, float64, in the shape to which the arguments broadcast"
+    if names:
+        result += (
+            "; with gradient this and name -> derivative, 0.0 where modes are neutral and NaN "
+            "where they meet, as at edges"
+        )
+
     return EmittedFunction(
         name="growth_rate",
         arguments=setting.parameters,
-        body="{evaluate}({_growth_rate}, {arguments})",
+        body=called("{real_at}", items),
         returns="Any",
         summary="Growth rate of the fastest mode: the largest real part of Γ.",
         description=" ".join(_EXPLAINED[kind] for kind in kinds),
-        result="In 1/s, float64, in the shape to which the arguments broadcast.",
+        result=f"{result}.",
         reference=reference,
         kernels=(kernel,),
-        uses=("evaluate",),
+        uses=("evaluate", "real_at"),
+        options=(gradient,) if names else (),
     )
 
 

@@ -29,6 +29,10 @@ __all__ = [
 RUNTIME = {
     **dict.fromkeys(("explicit_edges", "implicit_edges", "zone"), "_edges"),
     **dict.fromkeys(("boundaries_at", "real_at"), "_dual"),
+    **dict.fromkeys(
+        ("conservative_growth", "growing", "largest", "matrix_growth", "quadratic_growth"),
+        "_growth",
+    ),
     **dict.fromkeys(("Beating", "beating_at"), "_beating"),
     **dict.fromkeys(("Linear", "evolution_at"), "_evolution"),
     "modal_values": "_eigenmodes",
@@ -44,17 +48,12 @@ RUNTIME = {
         (
             "checked",
             "checked_amplitudes",
-            "conservative_growth",
             "defined",
             "evaluate",
             "evaluate_array",
             "evaluate_pair",
-            "growing",
-            "largest",
-            "matrix_growth",
             "multiply_out",
             "no_edges",
-            "quadratic_growth",
         ),
         "_runtime",
     ),

@@ -19,8 +19,9 @@ from ..errors import EmissionError
 from ..ir import compute_ir, fresh
 from ..parameters import Parameter
 from .boundaries import boundary_parameters
-from .kernels import EmittedFunction, Kernel, Reference
+from .kernels import EmittedFunction, Kernel, Reference, called
 from .naming import check_parameter_names
+from .options import gradient_option, wanted
 from .setting import Setting, values_of
 from .speed_values import speed_values
 
@@ -121,9 +122,10 @@ def speed_function(setting: Setting, kernel: Kernel | None) -> EmittedFunction:
     own = _resonance_kernel(implicit, unknown) if explicit else _detuning_kernel(implicit, unknown)
     name = str(unknown.name)
     solver = "explicit_edges" if explicit else "implicit_edges"
-    inputs = f"{{{own.name}}}, {{_boundaries}}"
-    if explicit:
-        inputs += f", {implicit.multiple}"
+    names = [p.name for p in implicit.arguments]
+    gradient = gradient_option(names)
+    items = [f"{{{own.name}}}", "{_boundaries}", *([str(implicit.multiple)] * explicit)]
+    items += ["{arguments}", wanted(names, gradient) if names else "()"]
 
     cache: dict[tuple[Any, ...], Reference] = {}
 
@@ -139,17 +141,18 @@ def speed_function(setting: Setting, kernel: Kernel | None) -> EmittedFunction:
     return EmittedFunction(
         name="critical_speeds",
         arguments=implicit.arguments,
-        body=f"{{{solver}}}({inputs}, {{arguments}})",
-        returns="tuple[Any, Any]",
+        body=called(f"{{{solver}}}", items),
+        returns="Any",
         summary=f"Both edges of the unstable zone in {name}.",
         description=_explained(implicit, name, explicit=explicit),
         result=(
             "lower, upper: in rad/s, float64, in the shape to which the arguments broadcast; NaN "
-            "where there is no such edge."
+            "where there is no such edge. With gradient this pair and name -> pair."
         ),
         reference=reference,
         kernels=(own,),
         uses=(solver,),
+        options=(gradient,) if names else (),
     )
 
 
