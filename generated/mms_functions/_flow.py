@@ -198,7 +198,9 @@ def in_order(
         small = np.argsort(np.argsort(np.abs(values), axis=-1), axis=-1)
         rank = np.where(small < left_out, np.inf, rank)
     kept = np.arange(2 * flow.n) < 2 * flow.n - left_out
-    return np.argsort(rank, axis=-1), np.broadcast_to(kept, values.shape)  # NaN comes last
+    # Of two with the same real part that one comes first that LAPACK gives first; NaN comes last.
+    order = np.argsort(rank, axis=-1, kind="stable")
+    return order, np.broadcast_to(kept, values.shape)
 
 
 def _moved(flow: Flow, amplitudes: Any) -> NDArray[np.int64]:

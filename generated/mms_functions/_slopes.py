@@ -28,6 +28,7 @@ __all__ = [
     "forces",
     "in_parts",
     "jacobian_slopes",
+    "phase_rows",
     "slopes_of",
 ]
 
@@ -306,7 +307,7 @@ def bordered(
     active = np.abs(b) > 0.0
     flat, rows = whole.reshape(-1, 2 * n + g, 2 * n + g), active.reshape(-1, n)
     for pattern in np.unique(rows, axis=0):
-        flat[(rows == pattern).all(axis=1), 2 * n :] = _phase_rows(flow, pattern)
+        flat[(rows == pattern).all(axis=1), 2 * n :] = phase_rows(flow, pattern)
     return flat.reshape(whole.shape)
 
 
@@ -318,7 +319,7 @@ def directions(flow: Flow, b: NDArray[np.complex128]) -> NDArray[np.float64]:
     )
 
 
-def _phase_rows(flow: Flow, active: NDArray[np.bool_]) -> NDArray[np.float64]:
+def phase_rows(flow: Flow, active: NDArray[np.bool_]) -> NDArray[np.float64]:
     """Which phases are fixed: of the first amplitudes that the symmetries turn independently.
 
     A combination of symmetries that does not move the point has the rate zero.

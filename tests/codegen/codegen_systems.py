@@ -186,6 +186,15 @@ def stored(one: Emitted) -> Iterator[tuple[str, dict[str, float], Any, list[Any]
             with warnings.catch_warnings():
                 # generic points are no places for the method
                 warnings.filterwarnings("ignore", "outside of the validity", UserWarning)
-                result = np.ravel(getattr(one.module, function)(*leading(point), **arguments))
+                result = getattr(one.module, function)(*leading(point), **arguments)
+            if function == "equilibria":
+                assert list(result.amplitudes.shape) == point["shape"]
+                result = np.concatenate([np.ravel(part) for part in result])
             values = [number(v) for v in point["values"]]
-            yield function, arguments, result, values, [mpmath.mpf(e) for e in point["errors"]]
+            yield (
+                function,
+                arguments,
+                np.ravel(result),
+                values,
+                [mpmath.mpf(e) for e in point["errors"]],
+            )

@@ -184,7 +184,7 @@ class EmittedFunction:
     leading : tuple of (name, description)
         Arguments before the keywords.
     reference : callable or None
-        Point → `Reference`.
+        Point → `Reference`, or None where there is no answer.
     options : tuple of Option
         Further keywords, after the parameters.
     constants : tuple of Constant
@@ -200,7 +200,7 @@ class EmittedFunction:
     summary: str
     description: str
     result: str
-    reference: Callable[[Mapping[str, Any]], Reference] | None = field(compare=False)
+    reference: Callable[[Mapping[str, Any]], Reference | None] | None = field(compare=False)
     kernels: tuple[Kernel, ...] = ()
     uses: tuple[str, ...] = ()
     leading: tuple[tuple[str, str], ...] = ()

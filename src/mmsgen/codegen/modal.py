@@ -103,7 +103,8 @@ def mode_points(function: EmittedFunction, count: int) -> list[dict[str, Any]]:
             }
             chosen = chosen or point
             assert function.reference is not None
-            if all(mpmath.isfinite(v) for v in function.reference(point).values):
+            found = function.reference(point)
+            if found is not None and all(mpmath.isfinite(v) for v in found.values):
                 chosen = point
                 break
         assert chosen is not None

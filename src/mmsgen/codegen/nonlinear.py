@@ -6,22 +6,23 @@ coefficients.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
-from functools import reduce
-from operator import mul
 from typing import Any
-
-import mpmath
-import sympy as sp
 
 from ..ir import compute_ir, fresh
 from .curves import backbone_function, response_function
-from .exact import exact
 from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Option, Reference, called
+from .nonlinear_values import (
+    MOST,
+    ExactFlow,
+    Formulas,
+    eigenvalues,
+    equilibrium_values,
+    jacobian_values,
+)
 from .numpy_target import LINE_LENGTH, wrapped
 from .options import gradient_option, wanted
-from .rounding import UNIT, Rounded, rounded
 from .setting import Setting, values_of
 
 __all__ = ["COEFFICIENTS", "TABLE", "flow_functions"]
@@ -33,10 +34,11 @@ TABLE, COEFFICIENTS = "_FLOW", "_coefficients"
 def flow_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
     """What is emitted for an autonomous nonlinear slow flow besides its right-hand side."""
     kernel, out = _kernel(setting)
+    formulas = Formulas(setting, kernel, out)
     first, *others = (
-        _equilibria_function(setting),
-        _jacobian_function(setting, kernel, out),
-        _stability_function(setting),
+        _equilibria_function(setting, formulas),
+        _jacobian_function(setting, formulas),
+        _stability_function(setting, formulas),
     )
     curves = (response_function(setting, TABLE, COEFFICIENTS), backbone_function(setting))
     held = replace(first, kernels=(kernel,), constants=(_constant(setting),))
@@ -69,7 +71,7 @@ def _leading(setting: Setting) -> tuple[tuple[str, str], ...]:
     return ((name, f"Shape (..., {n}), in the order of COORDINATES; NaN gives NaN."),)
 
 
-def _equilibria_function(setting: Setting) -> EmittedFunction:
+def _equilibria_function(setting: Setting, formulas: Formulas) -> EmittedFunction:
     names, n = [p.name for p in setting.parameters], len(setting.coordinates)
     gradient = gradient_option(names)
     solver = "equilibria_of_one" if n == 1 else "equilibria_of_many"
@@ -86,6 +88,12 @@ def _equilibria_function(setting: Setting) -> EmittedFunction:
             f"{', '.join(map(str, symmetries))}; of each circle one point is given, and the rate "
             "at which it drifts, B_j exp(i k_j ρ t)."
         )
+
+    def reference(point: Mapping[str, Any]) -> Reference | None:
+        own = values_of(point, setting.parameters)
+        found = equilibrium_values(ExactFlow(formulas, own))
+        return None if found is None else Reference(own, *found)
+
     return EmittedFunction(
         name="equilibria",
         arguments=setting.parameters,
@@ -99,7 +107,7 @@ def _equilibria_function(setting: Setting) -> EmittedFunction:
             "stable. With gradient also name -> derivatives of amplitudes, drift and growth, NaN "
             "where equilibria meet."
         ),
-        reference=None,
+        reference=reference if n <= MOST else None,
         uses=("equilibria_at", solver),
         options=(gradient,),
         kind="Equilibria",
@@ -119,15 +127,14 @@ def _at_amplitudes(setting: Setting, amplitudes: str) -> tuple[list[str], tuple[
 _FIXED = "; with gradient this and name -> derivatives, the amplitudes fixed."
 
 
-def _jacobian_function(setting: Setting, kernel: Kernel, out: str) -> EmittedFunction:
+def _jacobian_function(setting: Setting, formulas: Formulas) -> EmittedFunction:
     n, leading = len(setting.coordinates), _leading(setting)
     items, options = _at_amplitudes(setting, leading[0][0])
     free = bool(setting.flow.table.flow.symmetries)
 
     def reference(point: Mapping[str, Any]) -> Reference:
         own, given = values_of(point, setting.parameters), tuple(point[AMPLITUDES])
-        values = _exact_jacobian(setting, own, given)
-        errors = _jacobian_errors(setting, kernel, out, own, given)
+        values, errors = jacobian_values(ExactFlow(formulas, own), given)
         return Reference(own, (2 * n, 2 * n), values, errors, given)
 
     return EmittedFunction(
@@ -139,7 +146,7 @@ def _jacobian_function(setting: Setting, kernel: Kernel, out: str) -> EmittedFun
         description="In the frame of `slow_flow`" + (_DRIFTING if free else "") + ".",
         result=f"Shape (..., {2 * n}, {2 * n}), in 1/s, rows and columns u_1, v_1, u_2, …"
         + (_FIXED if options else "."),
-        reference=None if free else reference,
+        reference=reference,
         uses=("jacobian_at",),
         leading=leading,
         options=options,
@@ -153,12 +160,18 @@ _DRIFTING = (
 )
 
 
-def _stability_function(setting: Setting) -> EmittedFunction:
+def _stability_function(setting: Setting, formulas: Formulas) -> EmittedFunction:
     n, leading = len(setting.coordinates), _leading(setting)
     items, options = _at_amplitudes(setting, leading[0][0])
     text = "Small disturbances of an equilibrium grow like exp(Γ t)."
     if setting.flow.table.flow.symmetries:
         text += " Each symmetry that moves the point has a zero, which is left out."
+
+    def reference(point: Mapping[str, Any]) -> Reference | None:
+        own, given = values_of(point, setting.parameters), tuple(point[AMPLITUDES])
+        found = eigenvalues(ExactFlow(formulas, own), given)
+        return None if found is None else Reference(own, (2 * n,), *found, given)
+
     return EmittedFunction(
         name="stability",
         arguments=setting.parameters,
@@ -172,58 +185,9 @@ def _stability_function(setting: Setting) -> EmittedFunction:
             if options
             else "."
         ),
-        reference=None,
+        reference=reference,
         uses=("stability_at",),
         leading=leading,
         options=options,
         kind="complex128",
     )
-
-
-# --- reference values -----------------------------------------------------------------------------
-
-
-def _exact_jacobian(
-    setting: Setting, own: Mapping[str, Any], given: Sequence[Any]
-) -> tuple[Any, ...]:
-    """The Jacobian from the right-hand sides as formulas, not from the table."""
-    amplitudes = setting.case.amplitudes
-    barred = {sp.conjugate(a): sp.Dummy(f"{a.name}_bar") for a in amplitudes}
-    moduli = {sp.Abs(a): sp.sqrt(a * barred[sp.conjugate(a)]) for a in amplitudes}
-    n = len(amplitudes)
-    values = {**own, **{a.name: b for a, b in zip(amplitudes, given, strict=True)}}
-    values |= {s.name: mpmath.conj(b) for s, b in zip(barred.values(), given, strict=True)}
-    whole = [[mpmath.mpf(0)] * (2 * n) for _ in range(2 * n)]
-    for j, rate in enumerate(setting.rates.values()):
-        plain = rate.xreplace({**barred, **moduli})
-        for k, a in enumerate(amplitudes):
-            p = exact(plain.diff(a), values)
-            q = exact(plain.diff(barred[sp.conjugate(a)]), values)
-            both, apart = mpmath.mpc(p + q), mpmath.mpc(p - q)
-            whole[2 * j][2 * k], whole[2 * j][2 * k + 1] = both.real, -apart.imag
-            whole[2 * j + 1][2 * k], whole[2 * j + 1][2 * k + 1] = both.imag, apart.real
-    return tuple(x for row in whole for x in row)
-
-
-def _jacobian_errors(
-    setting: Setting, kernel: Kernel, out: str, own: Mapping[str, Any], given: Sequence[Any]
-) -> tuple[Any, ...]:
-    """What rounding makes of each entry: that of all products and sums in the table's terms."""
-    n, terms, _ = setting.flow.table.flow
-    inner = rounded(kernel.ir, own)
-    zero = Rounded(mpmath.mpf(0), mpmath.mpf(0))
-    amplitudes = [Rounded(mpmath.mpc(b), mpmath.mpf(0)) for b in given]
-    bounds = [[mpmath.mpf(0)] * n for _ in range(n)]
-    for m, (j, exponents) in enumerate(terms):
-        c = inner.get(f"{out}[..., {m}]", zero)
-        for k in range(n):
-            powers = exponents[3 * k : 3 * k + 3]
-            if not any(powers):
-                continue
-            factors = [c]
-            for i, b in enumerate(amplitudes):
-                factors += [b] * (sum(exponents[3 * i : 3 * i + 3]) - (i == k))
-            product = reduce(mul, factors)
-            size = abs(product.value) * (len(terms) + 2) * UNIT
-            bounds[j][k] += sum(powers) * (product.error + size)
-    return tuple(bounds[j // 2][k // 2] for j in range(2 * n) for k in range(2 * n))

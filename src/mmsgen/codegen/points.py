@@ -143,7 +143,8 @@ def speed_points_of(setting: Setting, function: EmittedFunction) -> list[dict[st
             first = first or values
             if not function.kernels or function.reference is None:
                 break
-            if all(mpmath.isfinite(v) for v in function.reference(values).values):
+            found = function.reference(values)
+            if found is not None and all(mpmath.isfinite(v) for v in found.values):
                 chosen = values
                 break
         point = chosen or first

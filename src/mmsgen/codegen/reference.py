@@ -31,7 +31,9 @@ def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> st
     takes them; ``arguments``;
     ``shape``; ``values``, real ones as decimal strings and complex ones as pairs of them, flat, the
     last axis fastest; ``errors``, bounds of the absolute error that the emitted formula makes in
-    double precision, and of what is cut off.
+    double precision, and of what is cut off. Those of ``equilibria`` are all amplitudes, whose
+    shape is given, then all drifts, then the growth rates; points are left out at which there are
+    infinitely many.
     """
     table: dict[str, list[dict[str, Any]]] = {}
     with mpmath.workdps(DIGITS):
@@ -44,7 +46,10 @@ def reference_text(setting: Setting, functions: Sequence[EmittedFunction]) -> st
                 own = speed_points_of(setting, function)
             elif function.name == "modes":
                 own = mode_points(function, len(points))
-            table[function.name] = [_entry(function.reference(point)) for point in own]
+            found = [function.reference(point) for point in own]
+            entries = [_entry(reference) for reference in found if reference is not None]
+            if entries:
+                table[function.name] = entries
     content = {
         "case": setting.name,
         "mmsgen": __version__,
