@@ -201,8 +201,8 @@ def _entry_errors(flow: ExactFlow, b: Sequence[Any], shift: Any = 0, rate: Any =
 def eigenvalues(flow: ExactFlow, b: Sequence[Any]) -> tuple[_Numbers, _Numbers] | None:
     """Those of the Jacobian at given amplitudes, as `stability` sorts them.
 
-    None where a pair comes nearest to zero: away from equilibria, none of them is that of a
-    symmetry.
+    None where two of them meet; and where a pair comes nearest to zero: away from equilibria, none
+    of them is that of a symmetry.
     """
     return _sorted(flow, flow.jacobian(b, flow.drift(b)), _entry_errors(flow, b), b)
 
@@ -223,6 +223,8 @@ def _sorted(
         # The method is backward stable, with some units of the norm.
         backward = 32 * UNIT * norm * mpmath.mnorm(y, "f") * mpmath.mnorm(x, "f")
         weight = abs(mpmath.fsum(y[0, r] * x[r] for r in range(matrix.rows)))
+        if weight < mpmath.mpf(10) ** -10 * mpmath.mnorm(y, "f") * mpmath.mnorm(x, "f"):
+            return None
         found.append((mpmath.mpc(value), (own + backward) / weight))
     symmetries = np.array(flow.formulas.flow.symmetries).reshape(-1, len(b))
     moved = int(np.linalg.matrix_rank(symmetries * [bool(x) for x in b])) if symmetries.size else 0
@@ -274,7 +276,7 @@ def equilibrium_values(
 def _refined(flow: ExactFlow, b: list[Any], drift: list[Any]) -> tuple[list[Any], ...] | None:
     """Amplitudes, drift and growth of one equilibrium, each with a bound of its error.
 
-    None where its eigenvalues that are zero are more than those of symmetries.
+    None where eigenvalues meet.
     """
     n, symmetries = len(b), flow.formulas.flow.symmetries
     active = np.array([bool(x) for x in b])
