@@ -1,5 +1,4 @@
-"""What emitted packages share, and the engine uses as well: plain NumPy, copied as it stands.
+"""Functions emitted by mmsgen: a subpackage for each model, in it a module for each case.
 
-A module ``_x`` here becomes ``mms_functions/_x.py``: it may import NumPy and its neighbours, and
-nothing else.
+Importing needs NumPy alone.
 """

@@ -261,7 +261,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -283,7 +283,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike, omega_p: ArrayLike, r: ArrayLike,
-    mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike, over: str = "sigma_1",
+    mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike, over: str = "sigma_1", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -310,12 +310,16 @@ def frequency_response(
         Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -332,13 +336,15 @@ def frequency_response(
         arguments,
         ("sigma_1", "sigma_2", "L", "omega_p", "r", "mu_x", "mu_p", "f"),
         over,
+        gradient,
     )
 
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
     omega_p: ArrayLike, r: ArrayLike, mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike,
-) -> NDArray[np.float64]:
+    gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -363,11 +369,14 @@ def jacobian(
         Damping of the pendulum, 1/s, >= 0.
     f : array_like
         Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -378,13 +387,20 @@ def jacobian(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
         mu_p=mu_p, f=f,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma_1", "sigma_2", "L", "omega_p", "r", "mu_x", "mu_p", "f") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
     omega_p: ArrayLike, r: ArrayLike, mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike,
-) -> NDArray[np.complex128]:
+    gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -409,11 +425,14 @@ def stability(
         Damping of the pendulum, 1/s, >= 0.
     f : array_like
         Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -424,7 +443,13 @@ def stability(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_p=omega_p, r=r, mu_x=mu_x,
         mu_p=mu_p, f=f,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma_1", "sigma_2", "L", "omega_p", "r", "mu_x", "mu_p", "f") if gradient else (),
+    )
 
 
 def response(

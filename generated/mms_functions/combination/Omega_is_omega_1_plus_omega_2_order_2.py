@@ -23,9 +23,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._edges import explicit_edges, zone
 from .._evolution import Linear, evolution_at
+from .._growth import growing
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -33,7 +34,6 @@ from .._runtime import (
     evaluate,
     evaluate_array,
     evaluate_pair,
-    growing,
     multiply_out,
 )
 
@@ -421,7 +421,7 @@ def _motion(out, sigma, omega_1, omega_2, f_11, f_12, f_21, f_22):
 
 def growth_rate(
     *, sigma: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike,
-    f_21: ArrayLike, f_22: ArrayLike,
+    f_21: ArrayLike, f_22: ArrayLike, gradient: bool = False,
 ) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
@@ -444,11 +444,14 @@ def growth_rate(
         Half the modulation of a stiffness, rad^2/s^2, real.
     f_22 : array_like
         Half the modulation of a stiffness, rad^2/s^2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -459,7 +462,12 @@ def growth_rate(
         PARAMETERS, sigma=sigma, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21,
         f_22=f_22,
     )
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma", "omega_1", "omega_2", "f_11", "f_12", "f_21", "f_22") if gradient else (),
+    )
 
 
 def boundaries(
@@ -515,8 +523,8 @@ def boundaries(
 
 def critical_speeds(
     *, omega_1: ArrayLike, omega_2: ArrayLike, f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike,
-    f_22: ArrayLike,
-) -> tuple[Any, Any]:
+    f_22: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable zone in Omega.
 
     Where Omega = omega_1 + omega_2 + sigma lies on an edge of `boundaries`.
@@ -535,12 +543,14 @@ def critical_speeds(
         Half the modulation of a stiffness, rad^2/s^2, real.
     f_22 : array_like
         Half the modulation of a stiffness, rad^2/s^2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
-        edge.
+        edge. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -550,7 +560,13 @@ def critical_speeds(
     arguments = checked(
         PARAMETERS, omega_1=omega_1, omega_2=omega_2, f_11=f_11, f_12=f_12, f_21=f_21, f_22=f_22,
     )
-    return explicit_edges(_resonance, _boundaries, 1, arguments)
+    return explicit_edges(
+        _resonance,
+        _boundaries,
+        1,
+        arguments,
+        ("omega_1", "omega_2", "f_11", "f_12", "f_21", "f_22") if gradient else (),
+    )
 
 
 def slow_flow_matrix(

@@ -173,7 +173,7 @@ def equilibria(*, omega_0: ArrayLike, alpha: ArrayLike, gradient: bool = False) 
     Equilibria
         The arrays amplitudes (..., count, 1), drift (..., count, 1) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -190,7 +190,9 @@ def equilibria(*, omega_0: ArrayLike, alpha: ArrayLike, gradient: bool = False) 
     )
 
 
-def frequency_response(*, omega_0: ArrayLike, alpha: ArrayLike, over: str = "omega_0") -> Any:
+def frequency_response(
+    *, omega_0: ArrayLike, alpha: ArrayLike, over: str = "omega_0", gradient: bool = False,
+) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
     One parameter is an array of one dimension, the others are numbers. Each branch has its points
@@ -204,12 +206,16 @@ def frequency_response(*, omega_0: ArrayLike, alpha: ArrayLike, over: str = "ome
         Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -217,7 +223,14 @@ def frequency_response(*, omega_0: ArrayLike, alpha: ArrayLike, over: str = "ome
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
-    return response_along(_FLOW, _coefficients, arguments, ("omega_0", "alpha"), over)
+    return response_along(
+        _FLOW,
+        _coefficients,
+        arguments,
+        ("omega_0", "alpha"),
+        over,
+        gradient,
+    )
 
 
 def backbone(
@@ -259,8 +272,8 @@ def backbone(
 
 
 def jacobian(
-    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike,
-) -> NDArray[np.float64]:
+    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -274,11 +287,14 @@ def jacobian(
         Frequency of small oscillations, rad/s, > 0.
     alpha : array_like
         Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -286,12 +302,18 @@ def jacobian(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("omega_0", "alpha") if gradient else (),
+    )
 
 
 def stability(
-    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike,
-) -> NDArray[np.complex128]:
+    amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -305,11 +327,14 @@ def stability(
         Frequency of small oscillations, rad/s, > 0.
     alpha : array_like
         Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -317,7 +342,13 @@ def stability(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha=alpha)
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("omega_0", "alpha") if gradient else (),
+    )
 
 
 def response(

@@ -238,7 +238,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 1), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -257,7 +257,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike, mu: ArrayLike, K: ArrayLike,
-    over: str = "sigma",
+    over: str = "sigma", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -278,12 +278,16 @@ def frequency_response(
         Amplitude of the force over the mass, m/s^2, > 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -297,6 +301,7 @@ def frequency_response(
         arguments,
         ("sigma", "omega_0", "alpha", "mu", "K"),
         over,
+        gradient,
     )
 
 
@@ -345,8 +350,8 @@ def backbone(
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike,
-    mu: ArrayLike, K: ArrayLike,
-) -> NDArray[np.float64]:
+    mu: ArrayLike, K: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -365,11 +370,14 @@ def jacobian(
         Half the damping over the mass, 1/s, > 0.
     K : array_like
         Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -377,13 +385,19 @@ def jacobian(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega_0", "alpha", "mu", "K") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike,
-    mu: ArrayLike, K: ArrayLike,
-) -> NDArray[np.complex128]:
+    mu: ArrayLike, K: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -402,11 +416,14 @@ def stability(
         Half the damping over the mass, 1/s, > 0.
     K : array_like
         Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -414,7 +431,13 @@ def stability(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega_0", "alpha", "mu", "K") if gradient else (),
+    )
 
 
 def response(

@@ -21,14 +21,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._edges import implicit_edges, zone
 from .._evolution import Linear, evolution_at
+from .._growth import conservative_growth
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
     checked_amplitudes,
-    conservative_growth,
     evaluate,
     evaluate_array,
     evaluate_pair,
@@ -316,7 +316,7 @@ def _motion(out, sigma_1, sigma_2, r_m, r_b, omega_x, omega_phi):
 
 def growth_rate(
     *, sigma_1: ArrayLike, sigma_2: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike,
-    omega_phi: ArrayLike,
+    omega_phi: ArrayLike, gradient: bool = False,
 ) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
@@ -337,11 +337,14 @@ def growth_rate(
         Longitudinal frequency of the fuselage, rad/s, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -352,7 +355,12 @@ def growth_rate(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, r_m=r_m, r_b=r_b, omega_x=omega_x,
         omega_phi=omega_phi,
     )
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma_1", "sigma_2", "r_m", "r_b", "omega_x", "omega_phi") if gradient else (),
+    )
 
 
 def boundaries(
@@ -407,8 +415,8 @@ def boundaries(
 
 def critical_speeds(
     *, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike, r_a: ArrayLike,
-    omega_b: ArrayLike,
-) -> tuple[Any, Any]:
+    omega_b: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable zone in Omega.
 
     Where Omega = omega_x + omega_phi + sigma_1 lies on an edge of `boundaries`. With omega_phi =
@@ -431,12 +439,14 @@ def critical_speeds(
         Lag frequency per rotor speed of a blade without lag spring, > 0.
     omega_b : array_like
         Lag frequency of a blade at rest, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
-        edge.
+        edge. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -446,7 +456,12 @@ def critical_speeds(
     arguments = checked(
         PARAMETERS, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y, r_a=r_a, omega_b=omega_b,
     )
-    return implicit_edges(_detuning, _boundaries, arguments)
+    return implicit_edges(
+        _detuning,
+        _boundaries,
+        arguments,
+        ("r_m", "r_b", "omega_x", "omega_y", "r_a", "omega_b") if gradient else (),
+    )
 
 
 def slow_flow_matrix(

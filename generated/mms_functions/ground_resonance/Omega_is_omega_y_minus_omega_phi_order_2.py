@@ -25,8 +25,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._evolution import Linear, evolution_at
+from .._growth import growing
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -34,7 +35,6 @@ from .._runtime import (
     evaluate,
     evaluate_array,
     evaluate_pair,
-    growing,
     multiply_out,
     no_edges,
 )
@@ -614,7 +614,7 @@ def _motion(out, sigma, r_m, r_b, omega_x, omega_y, omega_phi):
 
 def growth_rate(
     *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
-    omega_phi: ArrayLike,
+    omega_phi: ArrayLike, gradient: bool = False,
 ) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
@@ -635,11 +635,14 @@ def growth_rate(
         Lateral frequency of the fuselage, rad/s, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -650,7 +653,12 @@ def growth_rate(
         PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_y=omega_y,
         omega_phi=omega_phi,
     )
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma", "r_m", "r_b", "omega_x", "omega_y", "omega_phi") if gradient else (),
+    )
 
 
 def boundaries(

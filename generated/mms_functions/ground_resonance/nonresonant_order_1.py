@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._evolution import Linear, evolution_at
 from .._motion import Motion, response_at
 from .._runtime import (
@@ -259,7 +259,7 @@ def growth_rate() -> Any:
         In 1/s, float64, in the shape to which the arguments broadcast.
     """
     arguments = checked(PARAMETERS)
-    return evaluate(_growth_rate, arguments)
+    return real_at(evaluate, _growth_rate, arguments, ())
 
 
 def boundaries() -> Any:

@@ -948,7 +948,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 6), drift (..., count, 2) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -978,7 +978,7 @@ def frequency_response(
     *, sigma: ArrayLike, e_1: ArrayLike, e_2: ArrayLike, e_3: ArrayLike, e_4: ArrayLike,
     r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike, omega_y: ArrayLike,
     mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, r_h: ArrayLike, omega_phi: ArrayLike,
-    over: str = "sigma",
+    over: str = "sigma", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -1019,12 +1019,16 @@ def frequency_response(
         Lag frequency of a blade at speed, rad/s, > 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -1045,6 +1049,7 @@ def frequency_response(
             "mu_y", "mu_b", "r_h", "omega_phi",
         ),
         over,
+        gradient,
     )
 
 
@@ -1052,8 +1057,8 @@ def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, e_1: ArrayLike, e_2: ArrayLike, e_3: ArrayLike,
     e_4: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike,
     omega_y: ArrayLike, mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, r_h: ArrayLike,
-    omega_phi: ArrayLike,
-) -> NDArray[np.float64]:
+    omega_phi: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -1093,11 +1098,14 @@ def jacobian(
         Eccentricity of a hinge over the distance from it to the centre, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 12, 12), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 12, 12), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name
+        -> derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -1109,15 +1117,26 @@ def jacobian(
         omega_x=omega_x, omega_y=omega_y, mu_x=mu_x, mu_y=mu_y, mu_b=mu_b, r_h=r_h,
         omega_phi=omega_phi,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma", "e_1", "e_2", "e_3", "e_4", "r_m", "r_b", "r_a", "omega_x", "omega_y", "mu_x",
+            "mu_y", "mu_b", "r_h", "omega_phi",
+        )
+        if gradient
+        else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, e_1: ArrayLike, e_2: ArrayLike, e_3: ArrayLike,
     e_4: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike,
     omega_y: ArrayLike, mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, r_h: ArrayLike,
-    omega_phi: ArrayLike,
-) -> NDArray[np.complex128]:
+    omega_phi: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -1157,11 +1176,14 @@ def stability(
         Eccentricity of a hinge over the distance from it to the centre, > 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 12), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 12), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -1173,7 +1195,18 @@ def stability(
         omega_x=omega_x, omega_y=omega_y, mu_x=mu_x, mu_y=mu_y, mu_b=mu_b, r_h=r_h,
         omega_phi=omega_phi,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma", "e_1", "e_2", "e_3", "e_4", "r_m", "r_b", "r_a", "omega_x", "omega_y", "mu_x",
+            "mu_y", "mu_b", "r_h", "omega_phi",
+        )
+        if gradient
+        else (),
+    )
 
 
 def response(

@@ -353,7 +353,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 6), drift (..., count, 2) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -381,7 +381,7 @@ def equilibria(
 def frequency_response(
     *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike,
     mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, kappa: ArrayLike, mu_2: ArrayLike,
-    mu_3: ArrayLike, omega_phi: ArrayLike, over: str = "sigma",
+    mu_3: ArrayLike, omega_phi: ArrayLike, over: str = "sigma", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -416,12 +416,16 @@ def frequency_response(
         Lag frequency of a blade at speed, rad/s, > 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -441,14 +445,15 @@ def frequency_response(
             "mu_3", "omega_phi",
         ),
         over,
+        gradient,
     )
 
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike,
     omega_x: ArrayLike, mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, kappa: ArrayLike,
-    mu_2: ArrayLike, mu_3: ArrayLike, omega_phi: ArrayLike,
-) -> NDArray[np.float64]:
+    mu_2: ArrayLike, mu_3: ArrayLike, omega_phi: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -482,11 +487,14 @@ def jacobian(
         Lag damping by the cube of the velocity over the inertia, s, >= 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 12, 12), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 12, 12), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name
+        -> derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -497,14 +505,25 @@ def jacobian(
         PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, r_a=r_a, omega_x=omega_x, mu_x=mu_x, mu_y=mu_y,
         mu_b=mu_b, kappa=kappa, mu_2=mu_2, mu_3=mu_3, omega_phi=omega_phi,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma", "r_m", "r_b", "r_a", "omega_x", "mu_x", "mu_y", "mu_b", "kappa", "mu_2",
+            "mu_3", "omega_phi",
+        )
+        if gradient
+        else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike,
     omega_x: ArrayLike, mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, kappa: ArrayLike,
-    mu_2: ArrayLike, mu_3: ArrayLike, omega_phi: ArrayLike,
-) -> NDArray[np.complex128]:
+    mu_2: ArrayLike, mu_3: ArrayLike, omega_phi: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -538,11 +557,14 @@ def stability(
         Lag damping by the cube of the velocity over the inertia, s, >= 0.
     omega_phi : array_like
         Lag frequency of a blade at speed, rad/s, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 12), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 12), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -553,7 +575,18 @@ def stability(
         PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, r_a=r_a, omega_x=omega_x, mu_x=mu_x, mu_y=mu_y,
         mu_b=mu_b, kappa=kappa, mu_2=mu_2, mu_3=mu_3, omega_phi=omega_phi,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma", "r_m", "r_b", "r_a", "omega_x", "mu_x", "mu_y", "mu_b", "kappa", "mu_2",
+            "mu_3", "omega_phi",
+        )
+        if gradient
+        else (),
+    )
 
 
 def response(

@@ -236,7 +236,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 1), drift (..., count, 1) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -255,6 +255,7 @@ def equilibria(
 
 def frequency_response(
     *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, over: str = "omega_0",
+    gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -271,12 +272,16 @@ def frequency_response(
         Cubic stiffness over the mass, 1/(m^2 s^2), real.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -290,6 +295,7 @@ def frequency_response(
         arguments,
         ("omega_0", "alpha_2", "alpha_3"),
         over,
+        gradient,
     )
 
 
@@ -336,7 +342,8 @@ def backbone(
 
 def jacobian(
     amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
-) -> NDArray[np.float64]:
+    gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -352,11 +359,14 @@ def jacobian(
         Quadratic stiffness over the mass, 1/(m s^2), real.
     alpha_3 : array_like
         Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -364,12 +374,19 @@ def jacobian(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("omega_0", "alpha_2", "alpha_3") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, omega_0: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
-) -> NDArray[np.complex128]:
+    gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -385,11 +402,14 @@ def stability(
         Quadratic stiffness over the mass, 1/(m s^2), real.
     alpha_3 : array_like
         Cubic stiffness over the mass, 1/(m^2 s^2), real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -397,7 +417,13 @@ def stability(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, alpha_3=alpha_3)
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("omega_0", "alpha_2", "alpha_3") if gradient else (),
+    )
 
 
 def response(

@@ -21,9 +21,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._edges import explicit_edges
 from .._evolution import Linear, evolution_at
+from .._growth import quadratic_growth
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -32,7 +33,6 @@ from .._runtime import (
     evaluate_array,
     evaluate_pair,
     multiply_out,
-    quadratic_growth,
 )
 
 if TYPE_CHECKING:
@@ -208,6 +208,7 @@ def _motion(out, sigma, omega_0, alpha_2, mu, K):
 
 def growth_rate(
     *, sigma: ArrayLike, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
+    gradient: bool = False,
 ) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
@@ -225,11 +226,14 @@ def growth_rate(
         Half the damping over the mass, 1/s, > 0.
     K : array_like
         Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -237,7 +241,12 @@ def growth_rate(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma", "omega_0", "alpha_2", "mu", "K") if gradient else (),
+    )
 
 
 def boundaries(
@@ -284,8 +293,8 @@ def boundaries(
 
 
 def critical_speeds(
-    *, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike,
-) -> tuple[Any, Any]:
+    *, omega_0: ArrayLike, alpha_2: ArrayLike, mu: ArrayLike, K: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable zone in Omega.
 
     Where Omega = 2*omega_0 + sigma lies on an edge of `boundaries`.
@@ -300,12 +309,14 @@ def critical_speeds(
         Half the damping over the mass, 1/s, > 0.
     K : array_like
         Amplitude of the force over the mass, m/s^2, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
-        edge.
+        edge. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -313,7 +324,13 @@ def critical_speeds(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega_0=omega_0, alpha_2=alpha_2, mu=mu, K=K)
-    return explicit_edges(_resonance, _boundaries, 1, arguments)
+    return explicit_edges(
+        _resonance,
+        _boundaries,
+        1,
+        arguments,
+        ("omega_0", "alpha_2", "mu", "K") if gradient else (),
+    )
 
 
 def slow_flow_matrix(

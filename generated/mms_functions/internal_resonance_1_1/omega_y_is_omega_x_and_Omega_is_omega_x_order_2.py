@@ -234,7 +234,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -255,7 +255,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike,
-    f: ArrayLike, over: str = "sigma_1",
+    f: ArrayLike, over: str = "sigma_1", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -278,12 +278,16 @@ def frequency_response(
         Acceleration of the pivot over the length, 1/s^2, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -299,13 +303,14 @@ def frequency_response(
         arguments,
         ("sigma_1", "sigma_2", "L", "omega_x", "mu", "f"),
         over,
+        gradient,
     )
 
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
-    omega_x: ArrayLike, mu: ArrayLike, f: ArrayLike,
-) -> NDArray[np.float64]:
+    omega_x: ArrayLike, mu: ArrayLike, f: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -326,11 +331,14 @@ def jacobian(
         Damping, 1/s, >= 0.
     f : array_like
         Acceleration of the pivot over the length, 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -340,13 +348,19 @@ def jacobian(
     arguments = checked(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_x=omega_x, mu=mu, f=f,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma_1", "sigma_2", "L", "omega_x", "mu", "f") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
-    omega_x: ArrayLike, mu: ArrayLike, f: ArrayLike,
-) -> NDArray[np.complex128]:
+    omega_x: ArrayLike, mu: ArrayLike, f: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -367,11 +381,14 @@ def stability(
         Damping, 1/s, >= 0.
     f : array_like
         Acceleration of the pivot over the length, 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -381,7 +398,13 @@ def stability(
     arguments = checked(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_x=omega_x, mu=mu, f=f,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma_1", "sigma_2", "L", "omega_x", "mu", "f") if gradient else (),
+    )
 
 
 def response(

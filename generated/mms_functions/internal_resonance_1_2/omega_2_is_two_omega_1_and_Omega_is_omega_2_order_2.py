@@ -288,7 +288,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -315,6 +315,7 @@ def equilibria(
 def frequency_response(
     *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike,
     alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike, over: str = "sigma_1",
+    gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -341,12 +342,16 @@ def frequency_response(
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -363,13 +368,15 @@ def frequency_response(
         arguments,
         ("sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "F_2"),
         over,
+        gradient,
     )
 
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
     mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike,
-) -> NDArray[np.float64]:
+    gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -394,11 +401,14 @@ def jacobian(
         Coupling in the second equation, 1/(m s^2), > 0.
     F_2 : array_like
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -409,13 +419,24 @@ def jacobian(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
         alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "F_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
     mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike,
-) -> NDArray[np.complex128]:
+    gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -440,11 +461,14 @@ def stability(
         Coupling in the second equation, 1/(m s^2), > 0.
     F_2 : array_like
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -455,7 +479,17 @@ def stability(
         PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
         alpha_1=alpha_1, alpha_2=alpha_2, F_2=F_2,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "F_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def response(

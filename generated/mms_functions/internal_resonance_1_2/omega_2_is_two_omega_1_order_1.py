@@ -206,7 +206,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 1) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -228,7 +228,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike,
-    alpha_2: ArrayLike, over: str = "sigma",
+    alpha_2: ArrayLike, over: str = "sigma", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -251,12 +251,16 @@ def frequency_response(
         Coupling in the second equation, 1/(m s^2), > 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -273,13 +277,14 @@ def frequency_response(
         arguments,
         ("sigma", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2"),
         over,
+        gradient,
     )
 
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
-    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike,
-) -> NDArray[np.float64]:
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -301,11 +306,14 @@ def jacobian(
         Coupling in the first equation, 1/(m s^2), > 0.
     alpha_2 : array_like
         Coupling in the second equation, 1/(m s^2), > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -316,13 +324,19 @@ def jacobian(
         PARAMETERS, sigma=sigma, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
         alpha_2=alpha_2,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
-    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike,
-) -> NDArray[np.complex128]:
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -344,11 +358,14 @@ def stability(
         Coupling in the first equation, 1/(m s^2), > 0.
     alpha_2 : array_like
         Coupling in the second equation, 1/(m s^2), > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -359,7 +376,13 @@ def stability(
         PARAMETERS, sigma=sigma, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
         alpha_2=alpha_2,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2") if gradient else (),
+    )
 
 
 def response(

@@ -630,7 +630,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -660,7 +660,7 @@ def frequency_response(
     *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike,
     alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, alpha_4: ArrayLike,
     alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_7: ArrayLike, alpha_8: ArrayLike, F_1: ArrayLike,
-    F_2: ArrayLike, over: str = "sigma_1",
+    F_2: ArrayLike, over: str = "sigma_1", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -701,12 +701,16 @@ def frequency_response(
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -727,6 +731,7 @@ def frequency_response(
             "alpha_4", "alpha_5", "alpha_6", "alpha_7", "alpha_8", "F_1", "F_2",
         ),
         over,
+        gradient,
     )
 
 
@@ -734,8 +739,8 @@ def jacobian(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
     mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
     alpha_4: ArrayLike, alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_7: ArrayLike,
-    alpha_8: ArrayLike, F_1: ArrayLike, F_2: ArrayLike,
-) -> NDArray[np.float64]:
+    alpha_8: ArrayLike, F_1: ArrayLike, F_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -774,11 +779,14 @@ def jacobian(
         Force on the slower oscillator, over its mass, m/s^2, >= 0.
     F_2 : array_like
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -790,15 +798,26 @@ def jacobian(
         alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, alpha_4=alpha_4, alpha_5=alpha_5,
         alpha_6=alpha_6, alpha_7=alpha_7, alpha_8=alpha_8, F_1=F_1, F_2=F_2,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "alpha_3",
+            "alpha_4", "alpha_5", "alpha_6", "alpha_7", "alpha_8", "F_1", "F_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
     mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
     alpha_4: ArrayLike, alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_7: ArrayLike,
-    alpha_8: ArrayLike, F_1: ArrayLike, F_2: ArrayLike,
-) -> NDArray[np.complex128]:
+    alpha_8: ArrayLike, F_1: ArrayLike, F_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -837,11 +856,14 @@ def stability(
         Force on the slower oscillator, over its mass, m/s^2, >= 0.
     F_2 : array_like
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -853,7 +875,18 @@ def stability(
         alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, alpha_4=alpha_4, alpha_5=alpha_5,
         alpha_6=alpha_6, alpha_7=alpha_7, alpha_8=alpha_8, F_1=F_1, F_2=F_2,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "alpha_3",
+            "alpha_4", "alpha_5", "alpha_6", "alpha_7", "alpha_8", "F_1", "F_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def response(

@@ -299,7 +299,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -329,6 +329,7 @@ def frequency_response(
     *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike, mu_2: ArrayLike,
     alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, alpha_5: ArrayLike,
     alpha_6: ArrayLike, alpha_8: ArrayLike, F_2: ArrayLike, over: str = "sigma_1",
+    gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -363,12 +364,16 @@ def frequency_response(
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -389,6 +394,7 @@ def frequency_response(
             "alpha_5", "alpha_6", "alpha_8", "F_2",
         ),
         over,
+        gradient,
     )
 
 
@@ -396,7 +402,8 @@ def jacobian(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
     mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
     alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_8: ArrayLike, F_2: ArrayLike,
-) -> NDArray[np.float64]:
+    gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -429,11 +436,14 @@ def jacobian(
         Cubic term 8, 1/(m^2 s^2), real.
     F_2 : array_like
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -445,14 +455,26 @@ def jacobian(
         alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, alpha_5=alpha_5, alpha_6=alpha_6,
         alpha_8=alpha_8, F_2=F_2,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "alpha_3",
+            "alpha_5", "alpha_6", "alpha_8", "F_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
     mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
     alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_8: ArrayLike, F_2: ArrayLike,
-) -> NDArray[np.complex128]:
+    gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -485,11 +507,14 @@ def stability(
         Cubic term 8, 1/(m^2 s^2), real.
     F_2 : array_like
         Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -501,7 +526,18 @@ def stability(
         alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, alpha_5=alpha_5, alpha_6=alpha_6,
         alpha_8=alpha_8, F_2=F_2,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        (
+            "sigma_1", "sigma_2", "omega_1", "mu_1", "mu_2", "alpha_1", "alpha_2", "alpha_3",
+            "alpha_5", "alpha_6", "alpha_8", "F_2",
+        )
+        if gradient
+        else (),
+    )
 
 
 def response(

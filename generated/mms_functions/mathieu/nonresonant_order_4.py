@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._evolution import Linear, evolution_at
 from .._motion import Motion, response_at
 from .._runtime import (
@@ -297,7 +297,9 @@ def _motion(out, omega, Omega, q, mu):
 # --- functions ------------------------------------------------------------------------------------
 
 
-def growth_rate(*, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> Any:
+def growth_rate(
+    *, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False,
+) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
     A mode that is not coupled decays at the rate of its damping.
@@ -312,11 +314,14 @@ def growth_rate(*, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -324,7 +329,12 @@ def growth_rate(*, omega: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, omega=omega, Omega=Omega, q=q, mu=mu)
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("omega", "Omega", "q", "mu") if gradient else (),
+    )
 
 
 def boundaries(

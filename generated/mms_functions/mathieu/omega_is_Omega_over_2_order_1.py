@@ -20,9 +20,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._edges import explicit_edges
 from .._evolution import Linear, evolution_at
+from .._growth import quadratic_growth
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -31,7 +32,6 @@ from .._runtime import (
     evaluate_array,
     evaluate_pair,
     multiply_out,
-    quadratic_growth,
 )
 
 if TYPE_CHECKING:
@@ -173,7 +173,9 @@ def _motion(out, sigma, Omega, q, mu):
 # --- functions ------------------------------------------------------------------------------------
 
 
-def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> Any:
+def growth_rate(
+    *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False,
+) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
     The larger real part of the roots of Γ² + bΓ + c, each of them found without cancellation.
@@ -188,11 +190,14 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -200,7 +205,12 @@ def growth_rate(*, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike, mu: ArrayLi
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma", "Omega", "q", "mu") if gradient else (),
+    )
 
 
 def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False) -> Any:
@@ -242,7 +252,9 @@ def boundaries(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool 
     )
 
 
-def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[Any, Any]:
+def critical_speeds(
+    *, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable zone in omega.
 
     Where omega = 1/2*Omega + sigma lies on an edge of `boundaries`.
@@ -255,12 +267,14 @@ def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[A
         Half the modulation of the stiffness, rad^2/s^2, >= 0.
     mu : array_like
         Rate at which free oscillations decay, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
-        edge.
+        edge. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -268,7 +282,13 @@ def critical_speeds(*, Omega: ArrayLike, q: ArrayLike, mu: ArrayLike) -> tuple[A
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, Omega=Omega, q=q, mu=mu)
-    return explicit_edges(_resonance, _boundaries, 1, arguments)
+    return explicit_edges(
+        _resonance,
+        _boundaries,
+        1,
+        arguments,
+        ("Omega", "q", "mu") if gradient else (),
+    )
 
 
 def slow_flow_matrix(

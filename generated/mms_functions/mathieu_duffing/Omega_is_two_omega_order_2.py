@@ -281,7 +281,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 1), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -300,7 +300,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma: ArrayLike, omega: ArrayLike, f: ArrayLike, alpha: ArrayLike, mu: ArrayLike,
-    eta: ArrayLike, over: str = "sigma",
+    eta: ArrayLike, over: str = "sigma", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -323,12 +323,16 @@ def frequency_response(
         Damping that grows with the displacement, 1/(m^2 s), real.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -342,6 +346,7 @@ def frequency_response(
         arguments,
         ("sigma", "omega", "f", "alpha", "mu", "eta"),
         over,
+        gradient,
     )
 
 
@@ -392,8 +397,8 @@ def backbone(
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, f: ArrayLike, alpha: ArrayLike,
-    mu: ArrayLike, eta: ArrayLike,
-) -> NDArray[np.float64]:
+    mu: ArrayLike, eta: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -414,11 +419,14 @@ def jacobian(
         Damping; negative where the oscillator excites itself, 1/s, real.
     eta : array_like
         Damping that grows with the displacement, 1/(m^2 s), real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -426,13 +434,19 @@ def jacobian(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega=omega, f=f, alpha=alpha, mu=mu, eta=eta)
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega", "f", "alpha", "mu", "eta") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, f: ArrayLike, alpha: ArrayLike,
-    mu: ArrayLike, eta: ArrayLike,
-) -> NDArray[np.complex128]:
+    mu: ArrayLike, eta: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -453,11 +467,14 @@ def stability(
         Damping; negative where the oscillator excites itself, 1/s, real.
     eta : array_like
         Damping that grows with the displacement, 1/(m^2 s), real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -465,7 +482,13 @@ def stability(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega=omega, f=f, alpha=alpha, mu=mu, eta=eta)
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega", "f", "alpha", "mu", "eta") if gradient else (),
+    )
 
 
 def response(

@@ -189,7 +189,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 1), drift (..., count, 0) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -208,6 +208,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike, over: str = "sigma",
+    gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -226,12 +227,16 @@ def frequency_response(
         Damping, 1/s, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -245,6 +250,7 @@ def frequency_response(
         arguments,
         ("sigma", "omega", "h", "mu"),
         over,
+        gradient,
     )
 
 
@@ -291,7 +297,8 @@ def backbone(
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike,
-) -> NDArray[np.float64]:
+    gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`.
@@ -308,11 +315,14 @@ def jacobian(
         Amplitude of the support to and fro, over l, >= 0.
     mu : array_like
         Damping, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -320,12 +330,19 @@ def jacobian(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega", "h", "mu") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega: ArrayLike, h: ArrayLike, mu: ArrayLike,
-) -> NDArray[np.complex128]:
+    gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t).
@@ -342,11 +359,14 @@ def stability(
         Amplitude of the support to and fro, over l, >= 0.
     mu : array_like
         Damping, 1/s, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -354,7 +374,13 @@ def stability(
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, sigma=sigma, omega=omega, h=h, mu=mu)
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega", "h", "mu") if gradient else (),
+    )
 
 
 def response(

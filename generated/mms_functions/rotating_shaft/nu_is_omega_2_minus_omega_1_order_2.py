@@ -26,9 +26,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._eigenmodes import modal_values
 from .._evolution import Linear, evolution_at
+from .._growth import growing
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -36,7 +37,6 @@ from .._runtime import (
     evaluate,
     evaluate_array,
     evaluate_pair,
-    growing,
     multiply_out,
     no_edges,
 )
@@ -588,7 +588,7 @@ def _leading(out, I_t, I_p, Omega_s, k):
 
 def growth_rate(
     *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
-    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike, gradient: bool = False,
 ) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
@@ -609,11 +609,14 @@ def growth_rate(
         Component alpha of mode 1, real.
     Phi_alpha_2 : array_like
         Component alpha of mode 2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -624,7 +627,12 @@ def growth_rate(
         PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
         Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
     )
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma", "kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2") if gradient else (),
+    )
 
 
 def boundaries(

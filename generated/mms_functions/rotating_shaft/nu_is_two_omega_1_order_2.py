@@ -25,10 +25,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._beating import Beating, beating_at
-from .._dual import boundaries_at
+from .._dual import boundaries_at, real_at
 from .._edges import explicit_edges, zone
 from .._eigenmodes import modal_values
 from .._evolution import Linear, evolution_at
+from .._growth import growing
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -36,7 +37,6 @@ from .._runtime import (
     evaluate,
     evaluate_array,
     evaluate_pair,
-    growing,
     multiply_out,
 )
 
@@ -544,7 +544,7 @@ def _leading(out, I_t, I_p, Omega_s, k):
 
 def growth_rate(
     *, sigma: ArrayLike, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike,
-    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike,
+    Phi_alpha_1: ArrayLike, Phi_alpha_2: ArrayLike, gradient: bool = False,
 ) -> Any:
     """Growth rate of the fastest mode: the largest real part of Γ.
 
@@ -565,11 +565,14 @@ def growth_rate(
         Component alpha of mode 1, real.
     Phi_alpha_2 : array_like
         Component alpha of mode 2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        In 1/s, float64, in the shape to which the arguments broadcast.
+        In 1/s, float64, in the shape to which the arguments broadcast; with gradient this and name
+        -> derivative, 0.0 where modes are neutral and NaN where they meet, as at edges.
 
     Raises
     ------
@@ -580,7 +583,12 @@ def growth_rate(
         PARAMETERS, sigma=sigma, kappa=kappa, omega_1=omega_1, omega_2=omega_2,
         Phi_alpha_1=Phi_alpha_1, Phi_alpha_2=Phi_alpha_2,
     )
-    return evaluate(_growth_rate, arguments)
+    return real_at(
+        evaluate,
+        _growth_rate,
+        arguments,
+        ("sigma", "kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2") if gradient else (),
+    )
 
 
 def boundaries(
@@ -635,8 +643,8 @@ def boundaries(
 
 def critical_speeds(
     *, kappa: ArrayLike, omega_1: ArrayLike, omega_2: ArrayLike, Phi_alpha_1: ArrayLike,
-    Phi_alpha_2: ArrayLike,
-) -> tuple[Any, Any]:
+    Phi_alpha_2: ArrayLike, gradient: bool = False,
+) -> Any:
     """Both edges of the unstable zone in nu.
 
     Where nu = 2*omega_1 + sigma lies on an edge of `boundaries`.
@@ -653,12 +661,14 @@ def critical_speeds(
         Component alpha of mode 1, real.
     Phi_alpha_2 : array_like
         Component alpha of mode 2, real.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     lower, upper : float64
         In rad/s, float64, in the shape to which the arguments broadcast; NaN where there is no such
-        edge.
+        edge. With gradient this pair and name -> pair.
 
     Raises
     ------
@@ -669,7 +679,13 @@ def critical_speeds(
         PARAMETERS, kappa=kappa, omega_1=omega_1, omega_2=omega_2, Phi_alpha_1=Phi_alpha_1,
         Phi_alpha_2=Phi_alpha_2,
     )
-    return explicit_edges(_resonance, _boundaries, 1, arguments)
+    return explicit_edges(
+        _resonance,
+        _boundaries,
+        1,
+        arguments,
+        ("kappa", "omega_1", "omega_2", "Phi_alpha_1", "Phi_alpha_2") if gradient else (),
+    )
 
 
 def slow_flow_matrix(

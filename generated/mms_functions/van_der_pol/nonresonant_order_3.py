@@ -198,7 +198,7 @@ def equilibria(*, mu: ArrayLike, gradient: bool = False) -> Any:
     Equilibria
         The arrays amplitudes (..., count, 1), drift (..., count, 1) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -215,7 +215,7 @@ def equilibria(*, mu: ArrayLike, gradient: bool = False) -> Any:
     )
 
 
-def frequency_response(*, mu: ArrayLike, over: str = "mu") -> Any:
+def frequency_response(*, mu: ArrayLike, over: str = "mu", gradient: bool = False) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
     One parameter is an array of one dimension, the others are numbers. Each branch has its points
@@ -227,12 +227,16 @@ def frequency_response(*, mu: ArrayLike, over: str = "mu") -> Any:
         Strength of the self-excitation; time and displacement scaled to one, > 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -240,7 +244,7 @@ def frequency_response(*, mu: ArrayLike, over: str = "mu") -> Any:
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, mu=mu)
-    return response_along(_FLOW, _coefficients, arguments, ("mu",), over)
+    return response_along(_FLOW, _coefficients, arguments, ("mu",), over, gradient)
 
 
 def backbone(amplitude: ArrayLike, /, *, mu: ArrayLike, gradient: bool = False) -> Any:
@@ -272,7 +276,7 @@ def backbone(amplitude: ArrayLike, /, *, mu: ArrayLike, gradient: bool = False) 
     return backbone_at(_backbone, amplitude, arguments, ("mu",) if gradient else ())
 
 
-def jacobian(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.float64]:
+def jacobian(amplitudes: ArrayLike, /, *, mu: ArrayLike, gradient: bool = False) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -284,11 +288,14 @@ def jacobian(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.float64]:
         Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
     mu : array_like
         Strength of the self-excitation; time and displacement scaled to one, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 2, 2), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -296,10 +303,16 @@ def jacobian(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.float64]:
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, mu=mu)
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("mu",) if gradient else (),
+    )
 
 
-def stability(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.complex128]:
+def stability(amplitudes: ArrayLike, /, *, mu: ArrayLike, gradient: bool = False) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -311,11 +324,14 @@ def stability(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.complex1
         Shape (..., 1), in the order of COORDINATES; NaN gives NaN.
     mu : array_like
         Strength of the self-excitation; time and displacement scaled to one, > 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 2), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 2), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -323,7 +339,13 @@ def stability(amplitudes: ArrayLike, /, *, mu: ArrayLike) -> NDArray[np.complex1
         If a value is not a finite real number in the domain given above; it is named.
     """
     arguments = checked(PARAMETERS, mu=mu)
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("mu",) if gradient else (),
+    )
 
 
 def response(
