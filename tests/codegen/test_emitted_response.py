@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
+from inspect import signature
 from typing import Any
 
 import mpmath
@@ -285,6 +286,33 @@ def test_outside_of_the_scaling_a_warning_says_by_how_much() -> None:
         emitted("rotor2").module.response(
             0.0, np.ones(6), sigma=0.0, r_m=0.03, r_b=0.2, omega_x=3.0, omega_phi=2.0, omega_y=3.001
         )
+
+
+@pytest.mark.parametrize("unit", [1e-6, 1e6])
+def test_units_of_a_coordinate_do_not_matter(unit: float) -> None:
+    """u_1'' + … = α_1 u_1 u_2 and u_2'' + … = α_2 u_1² + …, with u_2 in another unit."""
+    from mms_functions.internal_resonance_1_2 import omega_2_is_two_omega_1_order_1 as module
+
+    names = signature(module.response).parameters
+    given = {n: 0.3 for n in names if n not in ("t", "amplitudes", "order", "drift", "gradient")}
+    given |= {"alpha_1": 2.0, "alpha_2": 3.0, "omega_1": 1.0}
+    texts = []
+    for scale in (1.0, unit):
+        own = {**given, "alpha_1": 2.0 / scale, "alpha_2": 3.0 * scale}
+        own |= {n: x * scale for n, x in given.items() if n == "F_2"}
+        with pytest.warns(UserWarning) as caught:
+            module.response(0.0, [0.7, 0.4 * scale], **own)
+        texts.append(str(caught[0].message))
+    assert texts[0] == texts[1]
+
+
+def test_a_coordinate_that_hardly_moves_is_no_reason_for_a_warning() -> None:
+    """What the second one gets of the first is small beside the first, and gives nothing back."""
+    given = {**values("pair", 0.01), "Omega": 9.0}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        functions("pair").response(0.0, [0.1, 1e-9], **given)
+        functions("pair").response(0.0, [0.1, 0.0], **given)
 
 
 def test_a_warning_points_to_the_caller() -> None:

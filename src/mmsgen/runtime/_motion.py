@@ -125,8 +125,12 @@ def response_at(
     moving = columns if drift is None else _drifted(columns, times, drift, behind)
     _demand_common_shape(times, moving[0], table[..., 0])
     with np.errstate(all="ignore"):
-        summed = _sum(motion, table, slopes, times, moving, highest)
-        small = _small(summed[1], _slowness(behind, arguments, columns, table, motion))
+        found, derivatives = _sum(motion, table, slopes, times, moving, highest)
+        groups = _groups(motion, table, highest)
+        if behind is not None:
+            groups.append((1, _slowness(behind, arguments, table, motion)))
+        small = _small(motion, groups, table, columns, highest)
+    with np.errstate(over="ignore"):
         estimate = np.float64(small) ** (highest + 1)  # infinite where a float would raise
     if estimate > LIMIT:
         warnings.warn(
@@ -136,9 +140,7 @@ def response_at(
             UserWarning,
             stacklevel=3,
         )
-    if not names:
-        return summed[0]
-    return summed[0], dict(zip(names, summed[2], strict=True))
+    return (found, dict(zip(names, derivatives, strict=True))) if names else found
 
 
 # --- the sum over all terms -----------------------------------------------------------------------
@@ -146,15 +148,14 @@ def response_at(
 
 def _sum(
     motion: Motion, table: Any, slopes: Any, times: Any, columns: Sequence[Any], highest: int
-) -> tuple[Any, Any, Any]:
-    """Coordinates, the size of each order in each of them, and the derivatives."""
+) -> tuple[Any, Any]:
+    """Coordinates and their derivatives."""
     n, count = motion.n, len(motion.terms)
     rates = [table[..., count + k].real for k in range(n + motion.phasors)]
     turns = [np.exp(1j * rate * times) for rate in rates]
     moving = [b * turn for b, turn in zip(columns, turns, strict=False)]
     shape = np.broadcast_shapes(*(x.shape for x in (*turns, *moving)))
     out = np.where(_known(table, shape)[..., None], np.zeros(n), np.nan)
-    sizes = np.zeros((highest + 1, *shape, n))
     derivatives = np.zeros((len(slopes), *shape, n))
     for m, (order, j, exponents, harmonics) in enumerate(motion.terms):
         if order > highest:
@@ -162,11 +163,10 @@ def _sum(
         value = _product(moving, exponents) * _product(turns[n:], _triples(harmonics))
         part = table[..., m] * value
         out[..., j] += part.real
-        sizes[order, ..., j] += np.abs(part)
         for derivative, slope in zip(derivatives, slopes, strict=True):
             angle = slope[..., count:].real @ multiples(exponents, harmonics)
             derivative[..., j] += (value * slope[..., m] + 1j * angle * times * part).real
-    return out, sizes, derivatives
+    return out, derivatives
 
 
 def _known(table: Any, shape: tuple[int, ...]) -> NDArray[np.bool_]:
@@ -205,47 +205,90 @@ def _drifted(columns: Sequence[Any], times: Any, drift: ArrayLike, slow: Slow | 
 
 
 # --- validity -------------------------------------------------------------------------------------
+#
+# What counts as small is a matrix R of numbers that are not negative: R_jk |B_k| is the part of
+# coordinate j that one order makes of amplitude k. Its spectral radius is the ratio of that order
+# to the motion if there is one coordinate only; of several it does not depend on their units, nor
+# on how large one of them happens to be beside the others.
+
+Group = list[tuple[int, tuple[int, ...], Any]]
+"""Terms: coordinate, (r_1, s_1, t_1, …), modulus of the coefficient."""
+
+# Stands for an amplitude that is zero: what is linear in it counts all the same.
+TINY = 1e-100
 
 
-def _largest(sizes: Any) -> float:
-    """The largest of sizes, those that are NaN left out; zero where nothing is left."""
-    return float(np.fmax.reduce(np.ravel(sizes), initial=0.0))
-
-
-def _small(sizes: Any, slowness: float) -> float:
-    """What is small, from what it makes: the largest k-th root of order k over order zero."""
-    whole = sizes.max(axis=-1, initial=0.0)
-    found = [slowness]
-    for k, size in enumerate(whole[1:], 1):
-        ratio = size / np.where(whole[0] > 0.0, whole[0], np.inf)
-        found.append(_largest(ratio) ** (1 / k))
-    return max(found)
+def _groups(motion: Motion, table: Any, highest: int) -> list[tuple[int, Group]]:
+    """The harmonics of each order from one on."""
+    found: dict[int, Group] = {k: [] for k in range(1, highest + 1)}
+    for m, (order, j, exponents, _) in enumerate(motion.terms):
+        if order in found:
+            found[order].append((j, exponents, np.abs(table[..., m])))
+    return list(found.items())
 
 
 def _slowness(
-    slow: Slow | None,
-    arguments: Sequence[NDArray[np.float64]],
-    columns: Sequence[Any],
-    table: Any,
-    motion: Motion,
-) -> float:
-    """The largest term of the slow flow over frequency and amplitude; zero if that is linear.
+    slow: Slow, arguments: Sequence[NDArray[np.float64]], table: Any, motion: Motion
+) -> Group:
+    """The terms of the slow flow over the frequencies.
 
     Forces have no part in it: from rest amplitudes grow by as much as they are large.
     """
-    if slow is None:
-        return 0.0
     c = evaluate_array(slow.kernel, arguments[: slow.taken], (len(slow.flow.terms),))
-    sizes = [np.abs(b).astype(np.complex128) for b in columns]
-    whole = np.max(np.broadcast_arrays(*(b.real for b in sizes)), axis=0)
+    fast = [np.abs(table[..., len(motion.terms) + j].real) for j in range(motion.n)]
+    return [
+        (j, exponents, np.abs(c[..., m]) / fast[j])
+        for m, (j, exponents) in enumerate(slow.flow.terms)
+        if any(exponents)
+    ]
+
+
+def _small(
+    motion: Motion,
+    groups: Sequence[tuple[int, Group]],
+    table: Any,
+    columns: Sequence[NDArray[np.complex128]],
+    highest: int,
+) -> float:
+    """What is small: the largest k-th root of what order k makes of the motion."""
+    n, moduli = motion.n, [np.abs(b) for b in columns]
+    sizes = [np.where(size == 0.0, TINY, size) for size in moduli]
+    shape = np.broadcast_shapes(sizes[0].shape, table.shape[:-1])
+    # What the excitation alone makes of a coordinate at order zero, where it is not weak.
+    driven = [np.zeros(table.shape[:-1]) for _ in range(n)]
+    for m, (order, j, exponents, _) in enumerate(motion.terms):
+        if not order and not any(exponents):
+            driven[j] = driven[j] + np.abs(table[..., m])
     worst = 0.0
-    for m, (j, exponents) in enumerate(slow.flow.terms):
-        if not any(exponents):
-            continue
-        fast = np.abs(table[..., len(motion.terms) + j].real)
-        own = np.abs(c[..., m]) * np.abs(_product(sizes, exponents)) / (fast * whole)
-        worst = max(worst, _largest(np.where(whole > 0.0, own, 0.0)))
+    for k, group in groups:
+        matrices = np.zeros((*shape, n, n))
+        for j, exponents, c in group:
+            powers = [sum(exponents[3 * i : 3 * i + 3]) for i in range(n)]
+            if not any(powers):
+                alone = np.where(driven[j] > 0.0, c / driven[j], 0.0)
+                matrices[..., j, j] += np.where(np.isinf(c), np.inf, alone)
+            for i, power in enumerate(powers):
+                if power:
+                    rest = [q - (i == place) for place, q in enumerate(powers)]
+                    product = c * (power / sum(powers))
+                    for size, q in zip(sizes, rest, strict=True):
+                        product = product * size**q if q else product
+                    matrices[..., j, i] += product
+        enough = LIMIT ** (k / (highest + 1))
+        worst = max(worst, _radius(matrices.reshape(-1, n, n), enough) ** (1 / k))
     return worst
+
+
+def _radius(matrices: NDArray[np.float64], enough: float) -> float:
+    """The largest spectral radius of matrices, NaN left out; a bound of it below `enough`."""
+    matrices = np.where(np.isnan(matrices), 0.0, matrices)
+    if not matrices.size or np.isinf(matrices).any():
+        return np.inf if matrices.size else 0.0
+    # That of matrices that are not negative grows with each of their entries.
+    bound = float(np.abs(np.linalg.eigvals(matrices.max(axis=0))).max())
+    if bound <= enough or len(matrices) == 1:
+        return bound
+    return float(np.abs(np.linalg.eigvals(matrices)).max())
 
 
 # --- arguments ------------------------------------------------------------------------------------
