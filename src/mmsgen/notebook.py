@@ -66,12 +66,7 @@ def execute(
     """
     try:
         import jupytext
-        from nbclient import NotebookClient
-        from nbclient.exceptions import (
-            CellExecutionError,
-            CellTimeoutError,
-            DeadKernelError,
-        )
+        from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
     except ModuleNotFoundError as error:
         raise MmsgenError(
             f"executing notebooks needs {error.name}: install it with pip install "
@@ -84,6 +79,21 @@ def execute(
         raise MmsgenError(
             f"{script.name} is not UTF-8 text (byte {error.start}): save it in that encoding"
         ) from None
+    client = _client(notebook, folder, progress)
+    try:
+        _run(client, environment)
+    except CellExecutionError as error:
+        text = _COLOURS.sub("", str(error))
+        raise MmsgenError(f"{script.name} fails when executed:\n{text}") from None
+    except (CellTimeoutError, DeadKernelError) as error:
+        raise MmsgenError(f"{script.name} cannot be executed: {error}") from None
+    return _normalised(notebook)
+
+
+def _client(notebook: Any, folder: Path, progress: Callable[[int, int], None] | None) -> Any:
+    """What executes a notebook in a kernel of its own."""
+    from nbclient import NotebookClient
+
     client = NotebookClient(
         notebook,
         timeout=TIMEOUT,
@@ -97,14 +107,7 @@ def execute(
     )
     if progress is not None:
         client.on_cell_start = lambda cell, cell_index: progress(cell_index, len(notebook.cells))
-    try:
-        _run(client, environment)
-    except CellExecutionError as error:
-        text = _COLOURS.sub("", str(error))
-        raise MmsgenError(f"{script.name} fails when executed:\n{text}") from None
-    except (CellTimeoutError, DeadKernelError) as error:
-        raise MmsgenError(f"{script.name} cannot be executed: {error}") from None
-    return _normalised(notebook)
+    return client
 
 
 def _run(client: Any, environment: dict[str, str]) -> None:

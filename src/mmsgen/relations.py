@@ -138,30 +138,7 @@ def solve_relations(
         sigma = detuning(index, len(pairs))
         if sigma.name in taken:
             raise ResonanceError(f"the parameter {sigma} has the name of a detuning: rename it")
-        left_form = _linear_form(lhs, frequencies)
-        if len(left_form) != 1 or "1" in left_form:
-            raise ResonanceError(
-                f"the left side {lhs} of a relation must be a multiple of the one frequency symbol "
-                "that is detuned; it leaves no frequency to detune"
-            )
-        ((pivot, factor),) = left_form.items()
-        if pivot in solved:
-            raise ResonanceError(
-                f"{pivot} is already fixed by another relation: write the second one for another "
-                "frequency"
-            )
-        difference = dict(_linear_form(rhs, frequencies))
-        difference[pivot] = difference.get(pivot, Fraction(0)) - factor
-        difference[sigma.name] = Fraction(1)
-        for name, value in solved.items():
-            difference = _substitute(difference, name, value)
-        slope = difference.pop(pivot, Fraction(0))
-        if not slope:
-            raise ResonanceError(
-                f"the relation {lhs} = {rhs} contradicts the others or follows from them, and "
-                f"leaves no frequency to detune"
-            )
-        value = {name: -c / slope for name, c in difference.items() if c}
+        pivot, value = _solved(lhs, rhs, sigma, frequencies, solved)
         solved = {name: _substitute(form, pivot, value) for name, form in solved.items()}
         solved[pivot] = value
         relations.append(Relation(lhs, rhs, sigma))
@@ -180,6 +157,40 @@ def solve_relations(
                 "positive: they contradict each other"
             )
     return tuple(relations), detuned
+
+
+def _solved(
+    lhs: sp.Expr,
+    rhs: sp.Expr,
+    sigma: sp.Symbol,
+    frequencies: Sequence[sp.Symbol],
+    known: Mapping[str, LinearForm],
+) -> tuple[str, LinearForm]:
+    """The frequency that a relation detunes, and its value, those of other relations put in."""
+    left_form = _linear_form(lhs, frequencies)
+    if len(left_form) != 1 or "1" in left_form:
+        raise ResonanceError(
+            f"the left side {lhs} of a relation must be a multiple of the one frequency symbol "
+            "that is detuned; it leaves no frequency to detune"
+        )
+    ((pivot, factor),) = left_form.items()
+    if pivot in known:
+        raise ResonanceError(
+            f"{pivot} is already fixed by another relation: write the second one for another "
+            "frequency"
+        )
+    difference = dict(_linear_form(rhs, frequencies))
+    difference[pivot] = difference.get(pivot, Fraction(0)) - factor
+    difference[sigma.name] = Fraction(1)
+    for name, value in known.items():
+        difference = _substitute(difference, name, value)
+    slope = difference.pop(pivot, Fraction(0))
+    if not slope:
+        raise ResonanceError(
+            f"the relation {lhs} = {rhs} contradicts the others or follows from them, and "
+            f"leaves no frequency to detune"
+        )
+    return pivot, {name: -c / slope for name, c in difference.items() if c}
 
 
 def _show(form: Mapping[str, Fraction]) -> str:

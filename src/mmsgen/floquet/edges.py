@@ -111,15 +111,8 @@ def boundary(
         If the interval is not two finite ascending numbers, `points` is below 3, another value
         is an array, or for the reasons that `growth_rate` has.
     """
-    name = str(getattr(parameter, "name", parameter))
-    others = {str(getattr(key, "name", key)): value for key, value in values.items()}
     low, high = _interval(interval)
-    if points < 3:
-        raise FloquetError(f"a scan needs at least 3 points, got {points!r}")
-    if name in others:
-        raise FloquetError(f"{name!r} is varied over the interval: take it out of `values`")
-    if any(np.ndim(value) for value in others.values()):
-        raise FloquetError("boundary varies one parameter: the other values must be scalars")
+    name, others = _fixed(values, parameter, points)
     options = Options(tolerance, max_steps, workers)
 
     def rate(at: Floats) -> GrowthRate:
@@ -145,6 +138,19 @@ def boundary(
         outside = np.where(unstable[change], grid[change + 1], grid[change])
         edges, errors = _locate(rate, outside, inside, level, step, extrapolate)
     return Boundary(name, edges, errors, _zones(edges, unstable, low, high), level, grid, scan)
+
+
+def _fixed(values: Values, parameter: Any, points: int) -> tuple[str, dict[str, Any]]:
+    """The name of the parameter that is varied, and the values of the others."""
+    name = str(getattr(parameter, "name", parameter))
+    others = {str(getattr(key, "name", key)): value for key, value in values.items()}
+    if points < 3:
+        raise FloquetError(f"a scan needs at least 3 points, got {points!r}")
+    if name in others:
+        raise FloquetError(f"{name!r} is varied over the interval: take it out of `values`")
+    if any(np.ndim(value) for value in others.values()):
+        raise FloquetError("boundary varies one parameter: the other values must be scalars")
+    return name, others
 
 
 def _interval(interval: tuple[float, float]) -> tuple[float, float]:

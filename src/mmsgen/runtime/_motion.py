@@ -130,6 +130,12 @@ def response_at(
         if behind is not None:
             groups.append((1, _slowness(behind, arguments, table, motion)))
         small = _small(motion, groups, table, columns, highest)
+    _warn(small, highest)
+    return (found, dict(zip(names, derivatives, strict=True))) if names else found
+
+
+def _warn(small: float, highest: int) -> None:
+    """Tell who calls an emitted function where what is left out is not small."""
     with np.errstate(over="ignore"):
         estimate = np.float64(small) ** (highest + 1)  # infinite where a float would raise
     if estimate > LIMIT:
@@ -138,9 +144,8 @@ def response_at(
             f"here, so that the terms beyond order {highest} are estimated at {estimate:.2g} of "
             "the motion",
             UserWarning,
-            stacklevel=3,
+            stacklevel=4,
         )
-    return (found, dict(zip(names, derivatives, strict=True))) if names else found
 
 
 # --- the sum over all terms -----------------------------------------------------------------------
