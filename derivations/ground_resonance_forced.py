@@ -231,8 +231,8 @@ report.Table(("direction", "ε", "order 1", "order 2"), tuple(rows))
 # The rotor turns at $\sigma = 0.3$ rad/s, and everything is at rest at first.
 # `initial_amplitudes` gives the amplitudes that belong to this, `evolution` takes them to the
 # equilibrium, and `response` makes coordinates of them, harmonics included. Grey: the unexpanded
-# nonlinear equations, integrated in time. The blades move at order 1 and higher only; besides a
-# swing, their lag has a mean value, which is of order 2.
+# nonlinear equations, integrated in time. The fuselage moves by distances of order ε; the blades,
+# which it drives through $r_b$, by one order less, in their swing and in the mean of their lag.
 
 
 # %%
