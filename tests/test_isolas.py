@@ -85,3 +85,64 @@ def test_a_small_isola_over_the_force(above: float) -> None:
     expected = np.sort(np.roots([top, -4 * c * sigma, 4 * mu**2]) ** 0.5)
     assert folds == pytest.approx(expected, abs=1e-11)
     assert len(response.branches) == 2
+
+
+COUPLED = Flow(
+    2,
+    (
+        *((j, (*e, 0, 0, 0)) for j, e in ALONE.terms),
+        (0, (0, 0, 0, 1, 0, 0)),
+        (1, (0, 0, 0, 1, 0, 0)),
+        (1, (1, 0, 0, 0, 0, 0)),
+    ),
+)
+COUPLING, DAMPER = 0.05, 0.05
+
+
+def beside(s: Any) -> Any:
+    """What B_2 = −ikB_1/(μ_2 + i(s − d)) is divided by: its rate of decay and its detuning."""
+    return DAMPER + 1j * (s - 0.8)
+
+
+def coupled(force: float) -> Callable[[Any], Any]:
+    """Coefficients of both oscillators."""
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        linear = np.stack([-1j * COUPLING * one, -beside(s), -1j * COUPLING * one], axis=-1)
+        return np.concatenate((alone(force)(s), linear), axis=-1)
+
+    return coefficients
+
+
+@pytest.mark.parametrize("above", [0.07, 0.0583])
+@pytest.mark.parametrize("count", [40, 600])
+def test_a_small_isola_of_two_amplitudes(count: int, above: float) -> None:
+    """A linear oscillator beside it: eliminated, it changes the linear coefficient, exactly.
+
+    The least force of large amplitudes has `above` = 0.058146 then; the second isola is 1/50 of
+    the distance between two values at which all equilibria are computed.
+    """
+    force = (lowest()[1] * (1 + above)) ** 0.5
+
+    def one(s):
+        c = alone(force)(s)
+        c[:, 1] -= COUPLING**2 / beside(s)
+        return c
+
+    exact = response_of(ALONE, one, np.linspace(0.2, 0.5, 400)).bifurcations
+    response = response_of(COUPLED, coupled(force), np.linspace(-0.97, 2.05, count))
+    folds = [b.parameter for b in response.bifurcations if b.kind == "saddle-node"]
+    expected = [b.parameter for b in exact if b.kind == "saddle-node"]
+    assert len(expected) == 2
+    assert folds == pytest.approx(expected, abs=1e-11)  # extrema along curves, to rounding
+    assert len(response.branches) == 2
+
+
+def test_pairs_of_complex_equilibria_that_do_not_meet() -> None:
+    """Below the least force they come close and part again."""
+    force = (lowest()[1] * 1.058) ** 0.5
+
+    response = response_of(COUPLED, coupled(force), np.linspace(-0.97, 2.05, 200))
+    assert response.bifurcations == ()
+    assert len(response.branches) == 1

@@ -57,9 +57,9 @@ def response_of(
     -----
     All equilibria are computed at 48 values, twice as many where their number changes; for one
     amplitude at 2048; where fewer are given, at others between them too. From there the branches
-    are followed. A closed branch that lies between two neighbouring ones of these values is not
-    seen; of one amplitude it is, as far as its extremum of the relation between amplitude and
-    parameter is there at the values beside it.
+    are followed. A closed branch between two neighbouring ones of these values is seen where its
+    extremum of the relation between amplitude and parameter is there at the values beside it, for
+    several amplitudes where complex equilibria approach each other towards it from both sides.
 
     Bifurcations are looked for along the branches at more points than the given ones, so that they
     do not depend on these; two of a kind within a quarter of a step may be missed.

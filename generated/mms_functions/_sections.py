@@ -14,6 +14,7 @@ from ._flow import Flow, jacobian, spectrum
 from ._isolas import touching
 from ._many_amplitudes import equilibria_of_many
 from ._one_amplitude import equilibria_of_one
+from ._pairs import meetings
 from ._records import Equilibria
 
 if TYPE_CHECKING:
@@ -135,7 +136,13 @@ def _of_many(
         chosen = np.concatenate((chosen, middle))
         order = np.argsort(chosen)
         chosen, found = chosen[order], _picked(found, order)
-    return at[chosen], found, at[:0]
+    sections = at[chosen]
+    between = meetings(flow, numbers, sections)[:MOST_MORE]
+    if not len(between):
+        return sections, found, between
+    sections, order = np.unique(np.concatenate((sections, between)), return_index=True)
+    found = _together(found, _solved(flow, numbers(between)))
+    return sections, _picked(found, order), between
 
 
 def _solved(flow: Flow, c: NDArray[np.complex128]) -> Equilibria:

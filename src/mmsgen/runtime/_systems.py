@@ -19,7 +19,16 @@ from ._flow import Flow
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["System", "equilibrium_system", "gauges", "moving", "patterns", "scaled"]
+__all__ = [
+    "System",
+    "equilibrium_system",
+    "gauges",
+    "measured",
+    "moving",
+    "patterns",
+    "raw_of",
+    "scaled",
+]
 
 
 def patterns(flow: Flow) -> tuple[tuple[int, ...], ...]:
@@ -198,6 +207,15 @@ def _powers(
     return powers, weight
 
 
+def raw_of(system: System, flat: NDArray[Any]) -> NDArray[np.complex128]:
+    """Coefficients of the system, shape (terms, K), from those of the flow, shape (K, terms)."""
+    source, factor = np.array(system.source), np.array(system.factor, dtype=np.complex128)
+    raw = np.where(source[:, None] >= 0, flat.T[source], 1.0)
+    raw = np.where(np.array(system.conjugate)[:, None], raw.conj(), raw)
+    out: NDArray[np.complex128] = raw * factor[:, None]
+    return out
+
+
 def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np.float64]]:
     """Coefficients of the system near one, and the scales of its unknowns that make them so.
 
@@ -214,9 +232,15 @@ def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np
     scales : numpy.ndarray
         Of the active amplitudes, then of the drifts, shape (active + drifts, K).
     """
-    source, factor = np.array(system.source), np.array(system.factor, dtype=np.complex128)
-    raw = np.where(source[:, None] >= 0, flat.T[source], 1.0)
-    raw = np.where(np.array(system.conjugate)[:, None], raw.conj(), raw) * factor[:, None]
+    raw = raw_of(system, flat)
+    factor, scales = measured(system, raw)
+    return raw * factor, scales
+
+
+def measured(
+    system: System, raw: NDArray[np.complex128]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Factors of raw coefficients, shape (terms, K), that bring them near one, and the scales."""
     rows, weights = np.array([r for r, _ in system.terms]), np.array(system.weights, dtype=float)
     p, unknowns = len(system.active), weights.shape[1]
     own = np.flatnonzero((rows < 2 * p) & (rows % 2 == 0))
@@ -225,7 +249,7 @@ def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np
         logs = np.log(np.abs(raw[own]))
     counted = np.isfinite(logs).astype(float)
     logs = np.where(counted > 0.0, logs, 0.0)
-    answer = np.zeros((unknowns + p, flat.shape[0]))
+    answer = np.zeros((unknowns + p, raw.shape[1]))
     for _ in range(2):
         # Least squares; the small diagonal decides what no coefficient determines.
         normal_matrix = np.einsum("ti,tk,tj->kij", design, counted, design)
@@ -233,10 +257,10 @@ def scaled(system: System, flat: NDArray[Any]) -> tuple[NDArray[Any], NDArray[np
         right = -np.einsum("ti,tk->ki", design, counted * logs)
         answer = np.linalg.solve(normal_matrix, right[..., None])[..., 0].T
         size = logs + design @ answer
-        largest = np.full((p, flat.shape[0]), -np.inf)
+        largest = np.full((p, raw.shape[1]), -np.inf)
         np.maximum.at(largest, rows[own] // 2, np.where(counted > 0.0, size, -np.inf))
         counted = counted * (size > largest[rows[own] // 2] + np.log(1e-4))
     powers = np.where(rows[:, None] < 2 * p, weights @ answer[:unknowns], 0.0)
     level = answer[unknowns + np.minimum(rows // 2, p - 1)]
     powers = powers + np.where(rows[:, None] < 2 * p, level, 0.0)
-    return raw * np.exp(powers), np.exp(answer[:unknowns])
+    return np.exp(powers), np.exp(answer[:unknowns])
