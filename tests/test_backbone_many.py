@@ -213,11 +213,19 @@ def test_families_are_refused() -> None:
 
 
 def test_a_second_amplitude_that_nothing_damps() -> None:
+    """It may have any size; listed is where it rests. So it is without a force on the first."""
     flow = table([*DAMPED, *CUBIC, (0, 0, 0, 0, 0)], ((0, 1),))
     undamped = np.array([0.1j - 0.1, 0.2j, 1j, 0.3j, 0.4j, 0.5j, 0.1])
+    found = equilibria_of_many(flow, undamped)
+    damped = equilibria_of_many(flow, undamped - [0, 0.1, 0, 0, 0, 0, 0])
+    assert found.number == damped.number == 1
+    assert found.amplitudes == pytest.approx(damped.amplitudes, abs=1e-14)
+    assert found.amplitudes[0, 1] == 0.0
+    assert found.growth == pytest.approx(0.0, abs=1e-14)
+    free = table([*DAMPED, *CUBIC], ((1, 0), (0, 1)))
+    assert equilibria_of_many(free, undamped[:-1]).number == 1
     with pytest.raises(ValueError, match="fill curves"):
-        equilibria_of_many(flow, undamped)
-    assert equilibria_of_many(flow, undamped - [0, 0.1, 0, 0, 0, 0, 0]).number == 1
+        equilibria_of_many(free, 1j * undamped[:-1].imag)
 
 
 @pytest.mark.parametrize(("detuning", "fills"), [(0.1, False), (1.0, True)])

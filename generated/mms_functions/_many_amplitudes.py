@@ -79,9 +79,11 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
         Complete with probability one: every equilibrium that is isolated among the complex
         solutions, circles along symmetries counted as one point. Everything is NaN where a
         coefficient is not finite, where all terms vanish for some amplitudes, so that these can
-        have any value, and where equilibria fill curves since a sum of squares is conserved, as
-        those of undamped free oscillators do: `modes_of` has them. `certified` tells which of them
-        are proved to be equilibria, one each.
+        have any value, and where equilibria fill curves in which every amplitude moves, as those of
+        undamped free oscillators do: `modes_of` has them. Curves in which only some amplitudes
+        move that nothing damps or drives, while others are damped, are left out, and what is
+        isolated with these at rest is listed. `certified` tells which of them are proved to be
+        equilibria, one each.
 
     Raises
     ------
@@ -117,37 +119,46 @@ _ANY = (
     "vanish, and these can have any value; detuning, damping or forcing is missing"
 )
 _CURVES = (
-    "the equilibria of this slow flow fill curves: nothing damps or forces some of its amplitudes, "
-    "which can have any value; backbone lists the motions in which one amplitude is given, and "
-    "damping of all of them leaves those that are isolated"
+    "the equilibria of this slow flow fill curves: nothing damps or forces its amplitudes, which "
+    "can have any value; backbone lists the motions in which one amplitude is given, and damping "
+    "leaves those that are isolated"
 )
 
 
 def _families(flow: Flow, usual: tuple[tuple[int, ...], ...], c: NDArray[Any]) -> NDArray[np.bool_]:
-    """Where equilibria fill curves since a sum of squares is conserved, shape (K,)."""
-    filled = np.zeros(len(c), dtype=bool)
+    """Where every amplitude can have any value, on some curve of equilibria, shape (K,).
+
+    Amplitudes of which a sum of squares is conserved while others are damped or driven can rest.
+    """
+    loose = np.zeros((len(c), flow.n), dtype=bool)
     for active in usual:
         if not active:
             continue
+        own = list(active)
         weights = conserved(flow, active, c)
-        singular = np.isfinite(weights[:, 0]) | backwards(flow, active, c)
-        rows = np.flatnonzero(singular & ~filled)
+        both = backwards(flow, active, c)
+        rows = np.flatnonzero(np.isfinite(weights[:, 0]) | both)
         if len(active) == 1:
-            filled[rows] = True
+            loose[rows, own[0]] = True
         if len(active) == 1 or not len(rows):
             continue
         size = scaled(equilibrium_system(flow, active), c[rows])[1][: len(active)].T
-        best = np.abs(np.nan_to_num(weights[rows]) * size**2).argmax(axis=1)
+        share = np.abs(np.nan_to_num(weights[rows])) * size**2
+        best = share.argmax(axis=1)
+        concerned = (share > EXACT * share.max(axis=1)[:, None]) | both[rows][:, None]
+        left = (concerned & ~loose[rows][:, own]).any(axis=1)
         # A sum of several signs has curves only from certain amplitudes on, or up to them.
         for level, j in product(LEVELS, np.unique(best)):
-            own = np.flatnonzero((best == j) & ~filled[rows])
-            square = (level * size[own, j]) ** 2
+            there = np.flatnonzero((best == j) & left)
+            square = (level * size[there, j]) ** 2
             k = active[j]
-            asking, asked = selecting(flow, c[rows[own]], k, square, (k,))
-            there, b, _ = with_active(asking, active, asked, np.arange(len(own)))
-            there = there[np.abs(np.abs(b[:, k]) ** 2 - square[there]) < EXACT * square[there]]
-            filled[rows[own[there]]] = True
-    return filled
+            asking, asked = selecting(flow, c[rows[there]], k, square, (k,))
+            found, b, _ = with_active(asking, active, asked, np.arange(len(there)))
+            exact = np.abs(np.abs(b[:, k]) ** 2 - square[found]) < EXACT * square[found]
+            hit = np.unique(there[found[exact]])
+            left[hit] = False
+            loose[np.ix_(rows[hit], own)] |= concerned[hit]
+    return np.asarray(loose.all(axis=1))
 
 
 def _check_size(flow: Flow, usual: tuple[tuple[int, ...], ...]) -> None:
