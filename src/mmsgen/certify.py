@@ -96,7 +96,7 @@ def certify(
     span : float
         Time over which motions are compared, in s, at ε = 1; it grows like 1/ε.
     steady : sequence of Steady, optional
-        Equilibria, and bifurcations in a detuning, that are compared with exact periodic orbits.
+        Equilibria, bifurcations in a detuning and limit cycles, to be compared with exact motions.
 
     Returns
     -------

@@ -61,6 +61,9 @@ class Steady:
         detuning is then a guess.
     over : str or sympy.Symbol
         That detuning; by default the first one.
+    cycle : bool
+        Whether the limit cycle is meant on which a motion of the slow flow from these amplitudes
+        ends, and the quasi-periodic motion that it stands for.
 
     Raises
     ------
@@ -72,12 +75,15 @@ class Steady:
     amplitudes: Sequence[complex]
     bifurcation: str = ""
     over: Any = ""
+    cycle: bool = False
 
     def __post_init__(self) -> None:
         if self.bifurcation and self.bifurcation not in KINDS:
             raise MmsgenError(
                 f"the bifurcation must be one of {', '.join(KINDS)}, got {self.bifurcation!r}"
             )
+        if self.bifurcation and self.cycle:
+            raise MmsgenError("a limit cycle is no bifurcation: ask for one of both")
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,6 +27,8 @@ from .steady_bifurcations import (
     frequency_gap,
     slow_bifurcation,
 )
+from .steady_cycles import EPSILONS as CYCLE_EPSILONS
+from .steady_cycles import cycle_gaps
 
 if TYPE_CHECKING:
     from .expansion import Expansion
@@ -43,6 +45,9 @@ AMPLITUDE_LIMIT = 1e-8
 """Errors of amplitudes, over the largest, from which they take part: at the smallest ε an orbit is
 known to some 1e-10, as the damping that determines it is of order ε.
 """
+
+CYCLE_LIMIT = 1e-7
+"""Errors of a limit cycle's lines, over the largest, from which they take part."""
 
 LIMIT = 1e-10
 """Errors of exponents and bifurcations, over the largest frequency, from which they take part."""
@@ -66,7 +71,8 @@ def steady_fits(
     -------
     list of Fit
         ``"equilibrium amplitudes"``, ``"stability"`` and, of a free motion, ``"frequency"``; or
-        the place of the bifurcation under its name, and ``"frequency of the Hopf point"``.
+        the place of the bifurcation under its name, and ``"frequency of the Hopf point"``; or
+        ``"limit cycle"`` and ``"frequency of the limit cycle"``.
 
     Raises
     ------
@@ -79,6 +85,8 @@ def steady_fits(
             f"a steady motion has {len(case.coordinates)} amplitudes, got {len(steady.amplitudes)}"
         )
     compare = _bifurcation if steady.bifurcation else _equilibrium
+    if steady.cycle:
+        compare, epsilons = _cycle, epsilons or CYCLE_EPSILONS
     try:
         if epsilons is not None:
             fits = compare(case, module, values, steady, epsilons)
@@ -173,6 +181,26 @@ def _bifurcation(
         fit_exponent(name, case.order + 1, ordered, *zip(*pairs, strict=True), limit=LIMIT * top)
         for name, pairs in quantities.items()
         if pairs
+    ]
+
+
+def _cycle(
+    case: Expansion,
+    module: Any,
+    values: Mapping[str, float],
+    steady: Steady,
+    epsilons: Sequence[float],
+) -> list[Fit]:
+    """The lines and the frequency of a limit cycle."""
+    start, ordered = np.asarray(steady.amplitudes, dtype=complex), sorted(epsilons)
+    lines, speeds, size = cycle_gaps(case, module, values, start, _weights(case), ordered)
+    found = [
+        ("limit cycle", case.order, lines, CYCLE_LIMIT * size),
+        ("frequency of the limit cycle", case.order + 1, speeds, LIMIT),
+    ]
+    return [
+        fit_exponent(quantity, theory, ordered, *zip(*pairs, strict=True), limit=limit)
+        for quantity, theory, pairs, limit in found
     ]
 
 

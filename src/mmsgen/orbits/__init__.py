@@ -19,6 +19,7 @@ from .hopf import born
 from .mechanical import Mechanical, problem
 from .records import PeriodicOrbit
 from .specials import Special
+from .tori import Torus, torus
 
 __all__ = [
     "Autonomous",
@@ -27,6 +28,7 @@ __all__ = [
     "PeriodicOrbit",
     "Problem",
     "Special",
+    "Torus",
     "autonomous",
     "born",
     "crossing",
@@ -35,4 +37,5 @@ __all__ = [
     "follow",
     "problem",
     "settle",
+    "torus",
 ]
