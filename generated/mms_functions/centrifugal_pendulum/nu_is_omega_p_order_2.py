@@ -260,7 +260,7 @@ def equilibria(
     Equilibria
         The arrays amplitudes (..., count, 2), drift (..., count, 1) in rad/s and growth (...,
         count) in 1/s, which is negative where an equilibrium is stable. With gradient also name ->
-        derivatives of amplitudes and drift, without finite values where equilibria meet.
+        derivatives of amplitudes, drift and growth, NaN where equilibria meet.
 
     Raises
     ------
@@ -281,7 +281,7 @@ def equilibria(
 
 def frequency_response(
     *, sigma: ArrayLike, omega_r: ArrayLike, omega_p: ArrayLike, n: ArrayLike, b: ArrayLike,
-    mu: ArrayLike, tau: ArrayLike, over: str = "sigma",
+    mu: ArrayLike, tau: ArrayLike, over: str = "sigma", gradient: bool = False,
 ) -> Any:
     """All equilibria along one parameter, as branches with their bifurcations.
 
@@ -306,12 +306,16 @@ def frequency_response(
         Torque over the inertia of the rotor, T/J, 1/s^2, >= 0.
     over : str, optional
         Name of the one that varies.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     Response
         Its name, branches (parameter, amplitudes, drift, growth) and bifurcations (saddle-nodes,
-        pitchforks, transcritical and Hopf points).
+        pitchforks, transcritical and Hopf points). With gradient also name -> derivatives of the
+        branches (amplitudes, drift, growth; NaN where they meet) and of the values at which the
+        bifurcations lie.
 
     Raises
     ------
@@ -327,13 +331,14 @@ def frequency_response(
         arguments,
         ("sigma", "omega_r", "omega_p", "n", "b", "mu", "tau"),
         over,
+        gradient,
     )
 
 
 def jacobian(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_r: ArrayLike, omega_p: ArrayLike,
-    n: ArrayLike, b: ArrayLike, mu: ArrayLike, tau: ArrayLike,
-) -> NDArray[np.float64]:
+    n: ArrayLike, b: ArrayLike, mu: ArrayLike, tau: ArrayLike, gradient: bool = False,
+) -> Any:
     """Derivatives of the Cartesian slow flow, B_j = (u_j + i v_j)/2.
 
     In the frame of `slow_flow`, turned along its symmetries so that the amplitudes given drift as
@@ -357,11 +362,14 @@ def jacobian(
         Damping of the pendulum, 1/s, >= 0.
     tau : array_like
         Torque over the inertia of the rotor, T/J, 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     float64
-        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …
+        Shape (..., 4, 4), in 1/s, rows and columns u_1, v_1, u_2, …; with gradient this and name ->
+        derivatives, the amplitudes fixed.
 
     Raises
     ------
@@ -371,13 +379,19 @@ def jacobian(
     arguments = checked(
         PARAMETERS, sigma=sigma, omega_r=omega_r, omega_p=omega_p, n=n, b=b, mu=mu, tau=tau,
     )
-    return jacobian_at(_FLOW, _coefficients, arguments, amplitudes)
+    return jacobian_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega_r", "omega_p", "n", "b", "mu", "tau") if gradient else (),
+    )
 
 
 def stability(
     amplitudes: ArrayLike, /, *, sigma: ArrayLike, omega_r: ArrayLike, omega_p: ArrayLike,
-    n: ArrayLike, b: ArrayLike, mu: ArrayLike, tau: ArrayLike,
-) -> NDArray[np.complex128]:
+    n: ArrayLike, b: ArrayLike, mu: ArrayLike, tau: ArrayLike, gradient: bool = False,
+) -> Any:
     """Eigenvalues Γ of the Jacobian, the largest real part first.
 
     Small disturbances of an equilibrium grow like exp(Γ t). Each symmetry that moves the point has
@@ -401,11 +415,14 @@ def stability(
         Damping of the pendulum, 1/s, >= 0.
     tau : array_like
         Torque over the inertia of the rotor, T/J, 1/s^2, >= 0.
+    gradient : bool, optional
+        Whether the derivatives by every parameter are returned as well, as name -> derivative.
 
     Returns
     -------
     complex128
-        Shape (..., 4), in 1/s; NaN at the end for those that are left out.
+        Shape (..., 4), in 1/s; NaN at the end for those that are left out; with gradient this and
+        name -> derivatives, the amplitudes fixed; NaN where eigenvalues meet.
 
     Raises
     ------
@@ -415,7 +432,13 @@ def stability(
     arguments = checked(
         PARAMETERS, sigma=sigma, omega_r=omega_r, omega_p=omega_p, n=n, b=b, mu=mu, tau=tau,
     )
-    return stability_at(_FLOW, _coefficients, arguments, amplitudes)
+    return stability_at(
+        _FLOW,
+        _coefficients,
+        arguments,
+        amplitudes,
+        ("sigma", "omega_r", "omega_p", "n", "b", "mu", "tau") if gradient else (),
+    )
 
 
 def response(
