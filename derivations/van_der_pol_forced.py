@@ -247,8 +247,9 @@ _ = plotting.shared_legend([left, right])
 #
 # Besides motions: locked motions beside periodic orbits, their amplitudes and how fast disturbances
 # die out, the saddle-node at which a weaker force loses its hold, and the Hopf point at which a
-# stronger one does; the motion that is forced alone, and the decay or growth of the oscillator's
-# own oscillation in it.
+# stronger one does; a limit cycle of the slow flow beyond it, its lines and its frequency, beside
+# the exact motion, which has two frequencies and never repeats; the motion that is forced alone,
+# and the decay or growth of the oscillator's own oscillation in it.
 
 
 # %%
@@ -262,6 +263,7 @@ def samples(case):
 LOCKED = {"omega_0": 1.0, "mu": 0.8, "K": 0.9, "sigma": 0.15}
 FOLD = {"omega_0": 1.0, "mu": 0.8, "K": 0.6, "sigma": 0.153}
 HOPF = {"omega_0": 1.0, "mu": 0.8, "K": 1.5, "sigma": 0.49}
+DRIFTING = {"omega_0": 1.0, "mu": 1.0, "K": 1.2, "sigma": 0.8}
 
 
 def steady(case):
@@ -272,6 +274,7 @@ def steady(case):
         mg.Steady(LOCKED, [-0.88 - 0.74j]),
         mg.Steady(FOLD, [-0.94 + 0.2j], "saddle-node"),
         mg.Steady(HOPF, [-0.65 + 0.27j], "Hopf"),
+        mg.Steady(DRIFTING, [0.8 + 0.3j], cycle=True),
     ]
 
 

@@ -38,10 +38,11 @@ def test_certificates(name: str, number: int) -> None:
 def test_what_is_certified_of_steady_motions() -> None:
     cycle = {"equilibrium amplitudes", "stability", "frequency"}
     locked = {"equilibrium amplitudes", "stability", "saddle-node", *HOPF}
+    torus = {"limit cycle", "frequency of the limit cycle"}
     for name, tail, quantities in [
         ("van_der_pol", "nonresonant", cycle),
         ("rayleigh", "nonresonant", cycle),
-        ("van_der_pol_forced", "Omega_is_omega_0", locked),
+        ("van_der_pol_forced", "Omega_is_omega_0", locked | torus),
         ("rayleigh_forced", "Omega_is_omega_0", locked),
         ("van_der_pol_forced", "nonresonant", {"stability"}),
         ("rayleigh_forced", "nonresonant", {"stability"}),
