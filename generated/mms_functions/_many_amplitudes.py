@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from numpy.typing import NDArray
 
-__all__ = ["arranged", "ends", "equilibria_of_many", "generic_counts", "with_active"]
+__all__ = ["arranged", "check_size", "ends", "equilibria_of_many", "generic_counts", "with_active"]
 
 # Paths that are followed together.
 BLOCK = 12_000
@@ -98,7 +98,7 @@ def equilibria_of_many(flow: Flow, coefficients: Any) -> Equilibria:
     with np.errstate(all="ignore"):
         for rows, own, columns in _groups(flow, flat, finite):
             usual = patterns(own)
-            _check_size(own, usual)
+            check_size(own, usual)
             if any(active and not chart(own, active).columns for active in usual):
                 loose += len(rows)
                 continue
@@ -161,7 +161,7 @@ def _families(flow: Flow, usual: tuple[tuple[int, ...], ...], c: NDArray[Any]) -
     return np.asarray(loose.all(axis=1))
 
 
-def _check_size(flow: Flow, usual: tuple[tuple[int, ...], ...]) -> None:
+def check_size(flow: Flow, usual: tuple[tuple[int, ...], ...]) -> None:
     """Refuse what would take minutes, before any path is followed."""
     for active in reversed(usual):
         if len(active) > 2:

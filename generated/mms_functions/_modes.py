@@ -15,14 +15,18 @@ import numpy as np
 from ._charts import chart
 from ._families import EXACT, selecting
 from ._flow import Flow, rates, spectrum
-from ._many_amplitudes import arranged, with_active
+from ._many_amplitudes import arranged, check_size, with_active
+from ._nonlinear import checked_amplitude
 from ._records import Backbone
+from ._runtime import evaluate_array
 from ._systems import patterns
 
 if TYPE_CHECKING:
-    from numpy.typing import NDArray
+    from collections.abc import Callable, Sequence
 
-__all__ = ["in_the_open", "modes_of"]
+    from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["in_the_open", "modes_at", "modes_of"]
 
 NEUTRAL = 1e-6
 """Growth, over the largest eigenvalue, that rounding makes of none where two of them meet: about
@@ -55,7 +59,8 @@ def modes_of(flow: Flow, coefficients: Any, amplitude: Any, of: int) -> Backbone
     Raises
     ------
     ValueError
-        If no motion keeps its amplitude, since terms that a phase enters dissipate.
+        If no motion keeps its amplitude, since terms that a phase enters dissipate; if there are
+        too many to be listed, as `equilibria_of_many` says.
     """
     c = np.asarray(coefficients, dtype=np.complex128)
     a = np.asarray(amplitude, dtype=np.float64)
@@ -109,6 +114,7 @@ def _together(
     """Several amplitudes, by the equation that asks for one of them."""
     square = half[rows] ** 2
     asking, asked = selecting(flow, c[rows], of, square, active)
+    check_size(asking, (active,))
     which, b, drift = with_active(asking, active, asked, np.arange(len(rows)))
     moving = (np.abs(b[:, list(active)]) > 0.0).all(axis=1)
     exact = np.abs(np.abs(b[:, of]) ** 2 - square[which]) < EXACT * square[which]
@@ -153,3 +159,46 @@ def in_the_open(found: Backbone, frame: Any, pull: NDArray[np.float64]) -> Backb
         )
         detuning = np.where((off & np.isfinite(found.shift)).any(axis=-1), np.nan, detuning)
     return found._replace(shift=found.shift + frame, detuning=detuning)
+
+
+def modes_at(
+    flow: Flow,
+    pull: Sequence[float],
+    kernel: Callable[..., Any],
+    arguments: Sequence[NDArray[np.float64]],
+    amplitude: ArrayLike,
+    coordinates: Sequence[str],
+    of: str,
+) -> Backbone:
+    """Free motions in which one amplitude is given, for emitted functions.
+
+    Parameters
+    ----------
+    flow : Flow
+        Without forces.
+    pull : sequence of float
+        As for `in_the_open`.
+    kernel : callable
+        Fills the coefficients of its terms, and after them the rates at which the frame turns.
+    arguments : sequence of numpy.ndarray
+        What it takes.
+    amplitude : array_like
+    coordinates : sequence of str
+    of : str
+        Which of them has that amplitude.
+
+    Raises
+    ------
+    ValueError
+        If `of` is no coordinate, or as for `checked_amplitude` and `modes_of`.
+    """
+    if of not in coordinates:
+        raise ValueError(f"of must be one of {', '.join(coordinates)}, got {of!r}")
+    count = len(flow.terms)
+    a = checked_amplitude(amplitude, [x.shape for x in arguments])
+    with np.errstate(all="ignore"):
+        values = evaluate_array(kernel, arguments, (count + flow.n,))
+        place = list(coordinates).index(of)
+        found = modes_of(flow, values[..., :count], a, place)
+        frame = values[..., None, count:].real
+        return in_the_open(found, frame, np.array(pull, dtype=np.float64))

@@ -10,7 +10,7 @@ import numpy as np
 import sympy as sp
 
 from .amplitude_flow import AmplitudeFlow, symmetries
-from .errors import ExpansionError, MmsgenError
+from .errors import MmsgenError
 from .numeric import Evaluator
 from .runtime._flow import Flow
 from .runtime._modes import in_the_open, modes_of
@@ -55,8 +55,7 @@ def free_part(slow: SlowFlow) -> FreePart:
     Raises
     ------
     ExpansionError
-        If no frame makes the slow flow autonomous, or if a coefficient depends on the detuning of
-        a force.
+        If no frame makes the slow flow autonomous.
     """
     case, ring = slow.case, slow.case.weak.ring
     n, own = ring.n, ring.amplitude_frequencies
@@ -78,32 +77,32 @@ def free_part(slow: SlowFlow) -> FreePart:
             if value != 0:
                 found.setdefault((j, powers), []).append(value)
     invariant = symmetries(n, tuple(sorted(found)))
-    forced, pull = _forces(slow, frame, invariant)
+    inside = set().union(*(x.free_symbols for parts in found.values() for x in parts))
+    forced, pull = _forces(slow, frame, invariant, inside)
     still = dict.fromkeys(forced, sp.Integer(0))
     for j in range(n):
         plain = (j, tuple(int(k == 3 * j) for k in range(3 * n)))
         found.setdefault(plain, []).append(-sp.I * frame[j].xreplace(still))
     terms = tuple(sorted(found))
     coefficients = tuple(sp.Add(*found[term]) for term in terms)
-    for c in coefficients:
-        if c.free_symbols & set(forced):
-            raise ExpansionError(
-                "at this order coefficients of the free motion depend on the detuning of the "
-                "force; use the backbone of a lower order, or of a model without the force"
-            )
     table = AmplitudeFlow(Flow(n, terms, invariant), coefficients, case.parameters)
     return FreePart(table, tuple(x.xreplace(still) for x in frame), forced, pull)
 
 
 def _forces(
-    slow: SlowFlow, frame: list[sp.Expr], invariant: tuple[tuple[int, ...], ...]
+    slow: SlowFlow,
+    frame: list[sp.Expr],
+    invariant: tuple[tuple[int, ...], ...],
+    inside: set[sp.Symbol],
 ) -> tuple[tuple[sp.Symbol, ...], tuple[sp.Rational, ...]]:
     """Detunings that do nothing to free motions but turn the frame along their symmetries."""
     forced, pulls = [], []
     known = sp.Matrix(len(invariant), len(frame), [x for k in invariant for x in k])
     for relation in slow.case.relations:
         pull = [x.coeff(relation.detuning) for x in frame]
-        if any(pull) and known.rank() == known.col_join(sp.Matrix([pull])).rank():
+        if relation.detuning in inside or not any(pull):
+            continue
+        if known.rank() == known.col_join(sp.Matrix([pull])).rank():
             forced.append(relation.detuning)
             pulls.append(tuple(pull))
     return tuple(forced), pulls[0] if len(pulls) == 1 else ()

@@ -254,7 +254,7 @@ class NonlinearAnswers:
         ------
         ExpansionError
             As for `response_relation`; or if the detuning does not follow from a linear equation;
-            or if coefficients of free motions depend on the detuning of a force.
+            of several amplitudes if no values are given.
         MmsgenError
             If a value is missing; if `of` is no coordinate; if energy is not conserved without
             the damping of single amplitudes, as where damping couples phases.

@@ -176,7 +176,36 @@ def test_backbones_in_print() -> None:
     assert found == pytest.approx(1.3 * 3 * y / 8, rel=1e-14)
     # Van der Pol's, on its limit cycle a = 2: −μ²/16 at ω = 1.
     assert functions("pol").backbone(2.0, mu=0.2, omega=1.0) == pytest.approx(-0.04 / 16, rel=1e-14)
-    assert "backbone" not in functions("two").__all__
+
+
+def test_normal_modes() -> None:
+    """At the detuning that is given they are at rest in slow_flow, but for the force.
+
+    So they are in the engine, whose flow without forces and damping the function has.
+    """
+    given = {"alpha": 0.3, "omega_1": 1.1, "sigma_1": 0.05}
+    rest = {"k": 0.2, "mu": 0.0, "nu": 0.0}
+    module, a = functions("two"), np.array([[0.2], [0.7]])
+    found = module.backbone(a, **given, **rest, of="u")
+    assert found.amplitudes.shape == (2, 1, 2, 2)
+    assert np.all(found.number == 2)
+    assert found.modulus[..., 0] == pytest.approx(np.broadcast_to(a[..., None], (2, 1, 2)))
+    given["sigma_2"] = found.detuning
+    force = module.slow_flow([0.0, 0.0], **given, **rest)
+    left = module.slow_flow(found.amplitudes, **given, **rest) - force
+    # Sums of a few terms below one.
+    assert np.abs(left).max() < 1e-14
+    # Shifts from ω_1 and 2ω_1: w is twice as fast as u.
+    assert 2 * found.shift[..., 0] == pytest.approx(found.shift[..., 1], abs=1e-13)
+    damped = nonlinear("two").case.slow_flow.backbone(
+        {"alpha": 0.3, "omega_1": 1.1, "sigma_1": 0.05, "nu": 0.1, "mu": 0.2, "k": 0.2},
+        a,
+        nonlinear("two").case.coordinates[0],
+    )
+    for mine, other in zip(found, damped, strict=True):
+        assert mine == pytest.approx(other, abs=1e-13)
+    with pytest.raises(ValueError, match="of must be one of u, w, got 'v'"):
+        module.backbone(0.2, alpha=0.3, omega_1=1.1, sigma_1=0.05, **rest, of="v")
 
 
 def test_a_backbone_goes_through_the_drift_of_free_motions() -> None:

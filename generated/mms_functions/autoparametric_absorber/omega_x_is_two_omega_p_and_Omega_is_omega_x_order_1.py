@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/autoparametric_absorber.py: change that, not this file.
-# Made from sha256 8d19e4a4be626a992922153fb301b8612467dae0e33ba582080cf6cba1ae6db6
-# Operations for each point: slow_flow 33, coefficients 22, motion 8
+# Made from sha256 b3f1609f849460176e773293522f138f0edafad5765d54140734ad4b42298240
+# Operations for each point: slow_flow 33, coefficients 22, backbone 9, motion 8
 """autoparametric_absorber: omega_x = 2*omega_p + sigma_1 and Omega = omega_x + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -87,6 +89,16 @@ _FLOW = Flow(
     (),
 )
 
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 0, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)),
+        (1, (1, 0, 0, 0, 1, 0)),
+    ),
+    ((2, 1),),
+)
+
 #: harmonics: order, coordinate, powers, multiples
 _MOTION = Motion(
     2,
@@ -123,6 +135,18 @@ def _coefficients(out, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
     out[..., 2] = 1j * sigma_1 - mu_x - 1j * (sigma_1 + sigma_2)
     out[..., 3] = -mu_p - 1j * (1 / 2 * sigma_1 + 1 / 2 * sigma_2)
     out[..., 4] = -2 * x0 / L
+
+
+def _backbone(out, sigma_1, L, omega_p, r, mu_x, mu_p, f):
+    # Intermediates
+    x0 = 1j * omega_p
+    x1 = 1 / 2 * sigma_1
+    # Outputs
+    out[..., 0] = -1 / 2 * L * r * x0
+    out[..., 2] = -1j * x1
+    out[..., 3] = -2 * x0 / L
+    out[..., 4] = sigma_1
+    out[..., 5] = x1
 
 
 def _motion(out, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
@@ -298,6 +322,54 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, L: ArrayLike, omega_p: ArrayLike, r: ArrayLike,
+    mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike, of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, L=L, omega_p=omega_p, r=r, mu_x=mu_x, mu_p=mu_p, f=f,
+    )
+    return modes_at(_FREE, (1.0, 0.5), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/autoparametric_absorber.py: change that, not this file.
-# Made from sha256 6f02d68203674f5396b1fbd50175140a122226a5a1eff5644c0139573548459b
-# Operations for each point: slow_flow 87, coefficients 63, motion 27
+# Made from sha256 392a63a44e6a9d4da3dbab6b8b2dc318c04fd596f137ead4f43b312ff0df65d1
+# Operations for each point: slow_flow 87, coefficients 63, backbone 36, motion 27
 """autoparametric_absorber: omega_x = 2*omega_p + sigma_1 and Omega = omega_x + sigma_2, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -86,6 +88,17 @@ _FLOW = Flow(
         (1, (0, 0, 0, 2, 1, 0)), (1, (1, 0, 0, 0, 1, 0)), (1, (1, 1, 0, 1, 0, 0)),
     ),
     (),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 0, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)), (1, (1, 0, 0, 0, 1, 0)),
+        (1, (1, 1, 0, 1, 0, 0)),
+    ),
+    ((2, 1),),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -153,6 +166,27 @@ def _coefficients(out, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
     out[..., 6] = 1 / 4 * x4 * (x3 - 1)
     out[..., 7] = (mu_x + 1j * (-2 * omega_p - sigma_1)) / L
     out[..., 8] = 3 * x4 / x5
+
+
+def _backbone(out, sigma_1, L, omega_p, r, mu_x, mu_p, f):
+    # Intermediates
+    x0 = 1j * sigma_1
+    x1 = 1 / omega_p
+    x2 = mu_x * mu_x
+    x3 = 2 * r
+    x4 = 1j * omega_p
+    x5 = mu_p * mu_p
+    x6 = L * L
+    # Outputs
+    out[..., 0] = -1 / 8 * 1j * L * r * (4 * omega_p - sigma_1)
+    out[..., 1] = 1j * x1 * (omega_p * sigma_1 - 1 / 4 * x2) - x0
+    out[..., 2] = x3 * x4
+    out[..., 3] = -1 / 2 * x0 - 1 / 2 * 1j * x1 * x5
+    out[..., 4] = 1 / 4 * x4 * (x3 - 1)
+    out[..., 5] = 1j * (-2 * omega_p - sigma_1) / L
+    out[..., 6] = 3 * x4 / x6
+    out[..., 7] = sigma_1
+    out[..., 8] = 1 / 2 * sigma_1
 
 
 def _motion(out, sigma_1, sigma_2, L, omega_p, r, mu_x, mu_p, f):
@@ -338,6 +372,54 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, L: ArrayLike, omega_p: ArrayLike, r: ArrayLike,
+    mu_x: ArrayLike, mu_p: ArrayLike, f: ArrayLike, of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_x = 2*omega_p + sigma_1, rad/s, real.
+    L : array_like
+        Length of the pendulum, m, > 0.
+    omega_p : array_like
+        Natural frequency of the pendulum, rad/s, > 0.
+    r : array_like
+        Mass of the bob over both masses, m/(M + m), > 0.
+    mu_x : array_like
+        Damping of the mass, 1/s, >= 0.
+    mu_p : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    f : array_like
+        Force over both masses and the length, F/((M + m) L), 1/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, L=L, omega_p=omega_p, r=r, mu_x=mu_x, mu_p=mu_p, f=f,
+    )
+    return modes_at(_FREE, (1.0, 0.5), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/centrifugal_pendulum.py: change that, not this file.
-# Made from sha256 356530faa96f7e947faba8c10c5089f00ba0e0e713eacb332afe83d94e46edf2
-# Operations for each point: slow_flow 36, coefficients 27, motion 44
+# Made from sha256 d504bde0944606699ee24dc964eed0c0fdb5816f66518f657c1d8e119b233297
+# Operations for each point: slow_flow 36, coefficients 27, backbone 15, motion 44
 """centrifugal_pendulum: nu = omega_p + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -24,6 +24,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -38,6 +39,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -87,6 +89,15 @@ _FLOW = Flow(
         (1, (0, 0, 0, 2, 1, 0)),
     ),
     ((1, 0),),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (1, 0, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+    ),
+    ((1, 0), (0, 1)),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -141,6 +152,17 @@ def _coefficients(out, sigma, omega_r, omega_p, n, b, mu, tau):
     out[..., 1] = -tau * x4 * x7 * (x8 + 1)
     out[..., 2] = x1 * x3 * (-mu * x0 * x2 - x5 * x9) - 1j * sigma
     out[..., 3] = -x7
+
+
+def _backbone(out, omega_r, omega_p, n, b, mu, tau):
+    # Intermediates
+    x0 = 1 / 2 * 1j * b / ((omega_r - omega_p) * (omega_p + omega_r))
+    x1 = omega_p * omega_p
+    x2 = omega_p * x1
+    # Outputs
+    out[..., 0] = omega_r * x0 * x1
+    out[..., 1] = -x0 * x2
+    out[..., 2] = -1 / 4 * 1j * omega_p
 
 
 def _motion(out, sigma, omega_r, omega_p, n, b, mu, tau):
@@ -333,6 +355,50 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega_r: ArrayLike, omega_p: ArrayLike, n: ArrayLike, b: ArrayLike,
+    mu: ArrayLike, tau: ArrayLike, of: str = "psi",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega_r : array_like
+        Frequency of the rotor on its spring, without pendulum, rad/s, > 0.
+    omega_p : array_like
+        Frequency of the pendulum on a uniform rotor, n Ω, rad/s, > 0.
+    n : array_like
+        Order of tuning, the root of R/ρ, > 0.
+    b : array_like
+        Ratio of inertias, m (R + ρ)²/J, > 0.
+    mu : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    tau : array_like
+        Torque over the inertia of the rotor, T/J, 1/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_r=omega_r, omega_p=omega_p, n=n, b=b, mu=mu, tau=tau)
+    return modes_at(_FREE, (0.0, 1.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/centrifugal_pendulum.py: change that, not this file.
-# Made from sha256 387c71978e47bf099fef8195a19f53da269f618edf2271cfd6b6165c25d43e8b
-# Operations for each point: slow_flow 272, coefficients 248, motion 391
+# Made from sha256 68127e5459076cb414c5c3f7c86986cc01796b3b5596c5d1c4a50362612cd263
+# Operations for each point: slow_flow 272, coefficients 248, backbone 166, motion 391
 """centrifugal_pendulum: nu = omega_p + sigma, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -24,6 +24,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -38,6 +39,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -88,6 +90,16 @@ _FLOW = Flow(
         (1, (0, 0, 0, 2, 1, 0)), (1, (0, 0, 0, 3, 2, 0)), (1, (1, 1, 0, 1, 0, 0)),
     ),
     ((1, 0),),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)), (1, (0, 0, 0, 1, 0, 0)),
+        (1, (0, 0, 0, 2, 1, 0)), (1, (0, 0, 0, 3, 2, 0)), (1, (1, 1, 0, 1, 0, 0)),
+    ),
+    ((1, 0), (0, 1)),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -297,6 +309,71 @@ def _coefficients(out, sigma, omega_r, omega_p, n, b, mu, tau):
     )
     out[..., 7] = 1 / 64 * x49
     out[..., 8] = -x23 * x31 * x36 * x43
+
+
+def _backbone(out, omega_r, omega_p, n, b, mu, tau):
+    # Intermediates
+    x0 = omega_p * omega_p
+    x1 = x0 * x0
+    x2 = 4 * x1
+    x3 = b * x1
+    x4 = omega_r * omega_r
+    x5 = x0 * x4
+    x6 = omega_p + omega_r
+    x7 = x6 * x6
+    x8 = x6 * x7
+    x9 = -omega_r
+    x10 = -omega_p - x9
+    x11 = x10 * x10
+    x12 = x10 * x11
+    x13 = 1 / (x12 * x8)
+    x14 = x4 * x4
+    x15 = n * n
+    x16 = x1 * x15
+    x17 = 4 * x15
+    x18 = x15 * x15
+    x19 = x0 * x4 + 4 * x1 * x18 + 2 * x14 * x18 - 2 * x16 - x17 * x5 - 9 * x18 * x5 - x2
+    x20 = 1 / 2 * b
+    x21 = 2 * omega_p
+    x22 = 1 / (x11 * x7 * (omega_r + x21) * (-x21 - x9))
+    x23 = x15 + 1
+    x24 = x23 * x23
+    x25 = x22 / x24
+    x26 = omega_r * x4
+    x27 = mu * mu
+    x28 = 1 / 2 * x27
+    x29 = x0 * x1
+    x30 = b * x29
+    x31 = 1 / 2 * x14
+    x32 = x0 * x14
+    x33 = 3 / 2 * x27
+    x34 = x1 * x4
+    x35 = 1j / omega_p
+    x36 = x1 * x1
+    x37 = b * b
+    x38 = x14 * x4
+    x39 = 8 * x29
+    x40 = 2 * x38
+    x41 = 18 * x34
+    x42 = b * x32
+    x43 = x3 * x4
+    x44 = x0 * x14 * x18
+    x45 = 1j * omega_p
+    # Outputs
+    out[..., 0] = -1 / 8 * 1j * b * omega_r * x0 * x13 * (b * x5 + 3 * x3 + 8 * x5 - 4 * x14 - x2)
+    out[..., 1] = -1j * x19 * x20 * x25 * x26
+    out[..., 2] = (
+        x13 * x35 * (x28 * x29 + 3 / 8 * x29 * x37 * x4 + x30 * x4 + x32 * x33 + 1 / 8 * x36 * x37
+        - x20 * x36 - x28 * x38 - x3 * x31 - x33 * x34)
+    )
+    out[..., 3] = (
+        1 / 8 * x25 * x45 * (b * x15 * x39 + 11 * b * x44 + 16 * x15 * x29 + 24 * x15 * x32
+        + 36 * x18 * x30 + x18 * x39 + 4 * x30 + 12 * x32 + x39 + 3 * x42 + 12 * x44
+        - 18 * x15 * x42 - 2 * x15 * x43 - 36 * x16 * x4 - x17 * x38 - x18 * x40 - x18 * x41
+        - 53 * x18 * x43 - x40 - x41 - 13 * x43)
+    )
+    out[..., 4] = 1 / 64 * x45
+    out[..., 5] = -x19 * x22 * x31 * x35
 
 
 def _motion(out, sigma, omega_r, omega_p, n, b, mu, tau):
@@ -655,6 +732,50 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, omega_r: ArrayLike, omega_p: ArrayLike, n: ArrayLike, b: ArrayLike,
+    mu: ArrayLike, tau: ArrayLike, of: str = "psi",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    omega_r : array_like
+        Frequency of the rotor on its spring, without pendulum, rad/s, > 0.
+    omega_p : array_like
+        Frequency of the pendulum on a uniform rotor, n Ω, rad/s, > 0.
+    n : array_like
+        Order of tuning, the root of R/ρ, > 0.
+    b : array_like
+        Ratio of inertias, m (R + ρ)²/J, > 0.
+    mu : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    tau : array_like
+        Torque over the inertia of the rotor, T/J, 1/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, omega_r=omega_r, omega_p=omega_p, n=n, b=b, mu=mu, tau=tau)
+    return modes_at(_FREE, (0.0, 1.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance_forced.py: change that, not this file.
-# Made from sha256 382a7146875995e36bf8959d1b8c85e29b46fbeb5e349f1c9d775ebce01fca2b
-# Operations for each point: slow_flow 326, coefficients 284, motion 522
+# Made from sha256 0ab8513d36dcbe5253a2127f8edd90439b12c039ca88990175f0c5a9a230114d
+# Operations for each point: slow_flow 326, coefficients 284, backbone 223, motion 522
 """ground_resonance_forced: Omega = omega_x + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -25,6 +25,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -39,6 +40,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -117,6 +119,32 @@ _FLOW = Flow(
         (5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
     ),
     ((0, 1, 0, 0, 0, 0), (0, 0, 1, 1, 1, 1)),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    6,
+    (
+        (0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+    ),
+    ((1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 1, 1, 1, 1)),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -481,6 +509,114 @@ def _coefficients(
     out[..., 16] = x45
     out[..., 17] = x48
     out[..., 18] = x49
+
+
+def _backbone(
+    out, sigma, e_1, e_2, e_3, e_4, r_m, r_b, r_a, omega_x, omega_y, mu_x, mu_y, mu_b, r_h,
+    omega_phi,
+):
+    # Intermediates
+    x0 = omega_phi * omega_phi
+    x1 = 1 / x0
+    x2 = 1 / (omega_phi + 2 * omega_x)
+    x3 = 1 / (2 * omega_x - omega_phi)
+    x4 = r_b * r_m
+    x5 = x0 * x0
+    x6 = 1 / 2 * x5
+    x7 = x0 * x4
+    x8 = omega_x * omega_x
+    x9 = x0 * x8
+    x10 = mu_x * mu_x
+    x11 = x8 * x8
+    x12 = x11 * x8
+    x13 = omega_x + omega_y
+    x14 = 1 / (omega_phi + x13)
+    x15 = 1 / x13
+    x16 = omega_y * omega_y
+    x17 = omega_y * x16
+    x18 = x17 * x4
+    x19 = 1 / 4 * x18
+    x20 = x15 * x19
+    x21 = 1 / (x13 - omega_phi)
+    x22 = omega_x - omega_y
+    x23 = 1 / (omega_phi + x22)
+    x24 = 1 / x22
+    x25 = x19 * x24
+    x26 = 1 / (omega_x - omega_phi - omega_y)
+    x27 = mu_y * mu_y
+    x28 = 1 / 128 * x7
+    x29 = x28 * x3
+    x30 = 1 / omega_phi
+    x31 = 1 / 16 * x18
+    x32 = x30 * x31
+    x33 = x26 * x32
+    x34 = x21 * x32
+    x35 = 1 / 32 * x4
+    x36 = x2 * x28 + x23 * x32 - x14 * x32
+    x37 = omega_x * x1 * x35 * (33 * x0 + 4 * x8) + x29 + x34 + x36 - x33
+    x38 = (
+        1j * (1 / 16 * r_b * r_m * x15 * x17 * x21 + 1 / 16 * r_b * r_m * x17 * x23 * x24
+        + 1 / 32 * r_b * r_m * x3 * x8 - 1 / 2 * omega_phi * x4 - x14 * x15 * x31
+        - 1 / 16 * x15 * x24 * x30 * x4 * x8 * (11 * x8 - 7 * x16) - x2 * x35 * x8
+        - x24 * x26 * x31)
+    )
+    x39 = -x37
+    x40 = omega_phi * x0
+    x41 = 1 / x40
+    x42 = 3 / 8 * x5
+    x43 = r_a * r_a
+    x44 = x43 * x43
+    x45 = 1 / 8 * x11 * x44
+    x46 = e_1 * x43
+    x47 = 1 / 2 * x0
+    x48 = x47 * x8
+    x49 = 1 / 4 * x43 * x9
+    x50 = omega_x * sigma * x0
+    x51 = mu_b * mu_b
+    x52 = 1 / 4 * x16 * x7 + 31 / 64 * x4 * x5 + 11 / 16 * x4 * x9 - x47 * x51
+    x53 = x33 + x36 - x29 - x34
+    x54 = e_1 * e_1
+    x55 = e_2 * x43
+    x56 = e_2 * e_2
+    x57 = e_3 * x43
+    x58 = e_3 * e_3
+    x59 = e_4 * x43
+    x60 = e_4 * e_4
+    # Outputs
+    out[..., 0] = (
+        1j * x1 * x2 * x3 * (x10 * x6 + x11 * x7 - 2 * x10 * x9 - 2 * x12 * x4) / omega_x
+        - 1j * sigma
+    )
+    out[..., 1] = 1j * (x14 * x20 + x20 * x21 + x23 * x25 + x25 * x26 - 1 / 2 * x27 / omega_y)
+    out[..., 2] = x37
+    out[..., 3] = x38
+    out[..., 4] = x39
+    out[..., 5] = (
+        1j * (x41 * (x42 * x54 + x46 * x48 + x46 * x50 + x52 - e_1 * x6 - x45 * x54 - x49 * x54)
+        + x53)
+    )
+    out[..., 6] = x38
+    out[..., 7] = x39
+    out[..., 8] = (
+        1j * (x41 * (x42 * x56 + x48 * x55 + x50 * x55 + x52 - e_2 * x6 - x45 * x56 - x49 * x56)
+        + x53)
+    )
+    out[..., 9] = x37
+    out[..., 10] = x39
+    out[..., 11] = (
+        1j * (x41 * (x42 * x58 + x48 * x57 + x50 * x57 + x52 - e_3 * x6 - x45 * x58 - x49 * x58)
+        + x53)
+    )
+    out[..., 12] = x37
+    out[..., 13] = x38
+    out[..., 14] = (
+        1j * (x41 * (x42 * x60 + x48 * x59 + x50 * x59 + x52 - e_4 * x6 - x45 * x60 - x49 * x60)
+        + x53)
+    )
+    out[..., 15] = x37
+    out[..., 16] = x38
+    out[..., 17] = x39
+    out[..., 18] = sigma
 
 
 def _motion(
@@ -1051,6 +1187,74 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma: ArrayLike, e_1: ArrayLike, e_2: ArrayLike, e_3: ArrayLike,
+    e_4: ArrayLike, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike,
+    omega_y: ArrayLike, mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, r_h: ArrayLike,
+    omega_phi: ArrayLike, of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma : array_like
+        Detuning, Omega = omega_x + sigma, rad/s, real.
+    e_1 : array_like
+        What blade 1 is heavier by, over the mass of a blade, real.
+    e_2 : array_like
+        What blade 2 is heavier by, over the mass of a blade, real.
+    e_3 : array_like
+        What blade 3 is heavier by, over the mass of a blade, real.
+    e_4 : array_like
+        What blade 4 is heavier by, over the mass of a blade, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    mu_x : array_like
+        Longitudinal damping rate of the fuselage, 1/s, >= 0.
+    mu_y : array_like
+        Lateral damping rate of the fuselage, 1/s, >= 0.
+    mu_b : array_like
+        Lag damping rate of a blade, 1/s, >= 0.
+    r_h : array_like
+        Eccentricity of a hinge over the distance from it to the centre, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 6), shift (..., count, 6) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, e_1=e_1, e_2=e_2, e_3=e_3, e_4=e_4, r_m=r_m, r_b=r_b, r_a=r_a,
+        omega_x=omega_x, omega_y=omega_y, mu_x=mu_x, mu_y=mu_y, mu_b=mu_b, r_h=r_h,
+        omega_phi=omega_phi,
+    )
+    return modes_at(_FREE, (), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

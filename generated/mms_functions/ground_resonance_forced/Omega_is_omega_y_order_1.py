@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance_forced.py: change that, not this file.
-# Made from sha256 21e9b96b05536461fb3793e1806ea02f81a0fe693804f97fd93081faba396f63
-# Operations for each point: slow_flow 43, coefficients 35, motion 70
+# Made from sha256 f4da1ac910c347a868b6708a0992861bdac7e11bdc3274c3a2a48217119fe428
+# Operations for each point: slow_flow 43, coefficients 35, backbone 13, motion 70
 """ground_resonance_forced: Omega = omega_y + sigma, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -103,6 +105,23 @@ _FLOW = Flow(
     (
         (1, 0, 0, 0, 0, 0), (0, 0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 0, 0, 0, 1, 0),
         (0, 0, 0, 0, 0, 1),
+    ),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    6,
+    (
+        (0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0)),
+    ),
+    (
+        (1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0),
+        (0, 0, 0, 0, 1, 0), (0, 0, 0, 0, 0, 1),
     ),
 )
 
@@ -191,6 +210,16 @@ def _coefficients(
     out[..., 4] = x0 * (e_2 * x2 + x1)
     out[..., 5] = x0 * (e_3 * x2 + x1)
     out[..., 6] = x0 * (e_4 * x2 + x1)
+
+
+def _backbone(out, e_1, e_2, e_3, e_4, r_m, r_a, omega_y, mu_x, mu_y, mu_b, r_h, omega_phi):
+    # Intermediates
+    x0 = 1 / 2 * 1j * (omega_y * r_a - omega_phi) * (omega_phi + omega_y * r_a) / omega_phi
+    # Outputs
+    out[..., 2] = e_1 * x0
+    out[..., 3] = e_2 * x0
+    out[..., 4] = e_3 * x0
+    out[..., 5] = e_4 * x0
 
 
 def _motion(
@@ -493,6 +522,74 @@ def frequency_response(
         ),
         over,
         gradient,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, e_1: ArrayLike, e_2: ArrayLike, e_3: ArrayLike, e_4: ArrayLike,
+    r_m: ArrayLike, r_a: ArrayLike, omega_y: ArrayLike, mu_x: ArrayLike, mu_y: ArrayLike,
+    mu_b: ArrayLike, r_h: ArrayLike, omega_phi: ArrayLike, of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    e_1 : array_like
+        What blade 1 is heavier by, over the mass of a blade, real.
+    e_2 : array_like
+        What blade 2 is heavier by, over the mass of a blade, real.
+    e_3 : array_like
+        What blade 3 is heavier by, over the mass of a blade, real.
+    e_4 : array_like
+        What blade 4 is heavier by, over the mass of a blade, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+    mu_x : array_like
+        Longitudinal damping rate of the fuselage, 1/s, >= 0.
+    mu_y : array_like
+        Lateral damping rate of the fuselage, 1/s, >= 0.
+    mu_b : array_like
+        Lag damping rate of a blade, 1/s, >= 0.
+    r_h : array_like
+        Eccentricity of a hinge over the distance from it to the centre, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 6), shift (..., count, 6) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, e_1=e_1, e_2=e_2, e_3=e_3, e_4=e_4, r_m=r_m, r_a=r_a, omega_y=omega_y,
+        mu_x=mu_x, mu_y=mu_y, mu_b=mu_b, r_h=r_h, omega_phi=omega_phi,
+    )
+    return modes_at(
+        _FREE,
+        (0.0, 1.0, 0.0, 0.0, 0.0, 0.0),
+        _backbone,
+        arguments,
+        amplitude,
+        COORDINATES,
+        of,
     )
 
 

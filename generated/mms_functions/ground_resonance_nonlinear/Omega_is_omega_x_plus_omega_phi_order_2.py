@@ -1,7 +1,7 @@
 # Emitted by mmsgen 0.1.0 from derivations/ground_resonance_nonlinear.py: change that, not this
 # file.
-# Made from sha256 51d3c48f9f2be2df2e015f9b1edabf508c1f89fc34bc7dfccfc44d76093f74e9
-# Operations for each point: slow_flow 104, coefficients 33, motion 2
+# Made from sha256 fee810ee4c1ee5b505c854ef7ad608b28bf4eb9b1b69a4dedfa2ab26041b384f
+# Operations for each point: slow_flow 104, coefficients 33, backbone 16, motion 2
 """ground_resonance_nonlinear: Omega = omega_x + omega_phi + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -25,6 +25,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -39,6 +40,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -118,6 +120,27 @@ _FLOW = Flow(
         (5, (0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
     ),
     ((0, 1, 0, 0, 0, 0), (-1, 0, 1, 1, 1, 1)),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    6,
+    (
+        (0, (1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (1, (0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (2, (0, 0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0)),
+        (3, (0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0, 0, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0)),
+        (4, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 0, 0, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0)),
+        (5, (0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 1, 0)),
+    ),
+    (
+        (1, 0, 0, 0, 0, 0), (0, 1, 0, 0, 0, 0), (0, 0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0),
+        (0, 0, 0, 0, 1, 0), (0, 0, 0, 0, 0, 1),
+    ),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -226,6 +249,20 @@ def _coefficients(
     out[..., 19] = x3
     out[..., 20] = x10
     out[..., 21] = -x12
+
+
+def _backbone(out, r_m, r_b, r_a, omega_x, mu_x, mu_y, mu_b, kappa, mu_2, mu_3, omega_phi):
+    # Intermediates
+    x0 = r_a * r_a
+    x1 = 1 / 4 * x0
+    x2 = omega_phi * omega_phi
+    x3 = omega_x * omega_x
+    x4 = 1j * (3 / 2 * kappa - 1 / 2 * omega_phi * omega_x * x0 - x1 * x2 - x1 * x3) / omega_phi
+    # Outputs
+    out[..., 3] = x4
+    out[..., 5] = x4
+    out[..., 7] = x4
+    out[..., 9] = x4
 
 
 def _motion(
@@ -446,6 +483,72 @@ def frequency_response(
         ),
         over,
         gradient,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, r_m: ArrayLike, r_b: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike,
+    mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, kappa: ArrayLike, mu_2: ArrayLike,
+    mu_3: ArrayLike, omega_phi: ArrayLike, of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    mu_x : array_like
+        Longitudinal damping rate of the fuselage, 1/s, >= 0.
+    mu_y : array_like
+        Lateral damping rate of the fuselage, 1/s, >= 0.
+    mu_b : array_like
+        Lag damping rate of a blade, 1/s, >= 0.
+    kappa : array_like
+        Cubic lag stiffness of a blade over its inertia, 1/s^2, real.
+    mu_2 : array_like
+        Lag damping by the square of the velocity over the inertia, >= 0.
+    mu_3 : array_like
+        Lag damping by the cube of the velocity over the inertia, s, >= 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 6), shift (..., count, 6) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, r_m=r_m, r_b=r_b, r_a=r_a, omega_x=omega_x, mu_x=mu_x, mu_y=mu_y, mu_b=mu_b,
+        kappa=kappa, mu_2=mu_2, mu_3=mu_3, omega_phi=omega_phi,
+    )
+    return modes_at(
+        _FREE,
+        (0.0, 0.0, 1.0, 1.0, 1.0, 1.0),
+        _backbone,
+        arguments,
+        amplitude,
+        COORDINATES,
+        of,
     )
 
 

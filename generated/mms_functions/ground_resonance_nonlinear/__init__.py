@@ -36,6 +36,7 @@ CASES: dict[str, dict[str, Any]] = {
             "slow_flow",
             "equilibria",
             "frequency_response",
+            "backbone",
             "jacobian",
             "stability",
             "response",

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_1.py: change that, not this file.
-# Made from sha256 a5b6a7c95939483c446121fdc8e6760f6d37ecde48e5b23c0b49a7892a584933
-# Operations for each point: slow_flow 52, coefficients 16, motion 4
+# Made from sha256 3f3fbaaba6dd0dae2525694d45c2ef18ea02d6877146fcc7c2156b44feb04971
+# Operations for each point: slow_flow 52, coefficients 16, backbone 8, motion 4
 """internal_resonance_1_1: omega_y = omega_x + sigma_1 and Omega = omega_x + sigma_2, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -84,6 +86,17 @@ _FLOW = Flow(
         (1, (0, 0, 0, 2, 1, 0)), (1, (1, 1, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 1, 0)),
     ),
     (),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+        (1, (1, 1, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 1, 0)),
+    ),
+    ((1, 1),),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -140,6 +153,23 @@ def _coefficients(out, sigma_1, sigma_2, L, omega_x, mu, f):
     out[..., 6] = x5
     out[..., 7] = x4
     out[..., 8] = x2
+
+
+def _backbone(out, sigma_1, L, omega_x, mu, f):
+    # Intermediates
+    x0 = L * L
+    x1 = 1j * omega_x / x0
+    x2 = -3 / 4 * x1
+    x3 = 1 / 2 * x1
+    x4 = -1 / 4 * x1
+    # Outputs
+    out[..., 0] = x2
+    out[..., 2] = x3
+    out[..., 3] = x4
+    out[..., 4] = 1j * sigma_1
+    out[..., 5] = x4
+    out[..., 6] = x3
+    out[..., 7] = x2
 
 
 def _motion(out, sigma_1, sigma_2, L, omega_x, mu, f):
@@ -305,6 +335,48 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike,
+    f: ArrayLike, of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_y = omega_x + sigma_1, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    f : array_like
+        Acceleration of the pivot over the length, 1/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma_1=sigma_1, L=L, omega_x=omega_x, mu=mu, f=f)
+    return modes_at(_FREE, (1.0, 1.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_1.py: change that, not this file.
-# Made from sha256 4e2ead2b51c25d350372cf15615f0328dd065d76f7cce8f9f49f7ae2af4090cc
-# Operations for each point: slow_flow 40, coefficients 9, motion 10
+# Made from sha256 7f1ac29d1db641d02f9172066de1ab99208a35d610fbb8e34efd3b675d84fd67
+# Operations for each point: slow_flow 40, coefficients 9, backbone 8, motion 10
 """internal_resonance_1_1: omega_y = omega_x + sigma, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -77,6 +79,17 @@ VARIABLES: tuple[str, ...] = ()
 
 #: terms of the slow flow: equation, powers of B, B̄, |B|
 _FLOW = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+        (1, (1, 1, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 1, 0)),
+    ),
+    ((1, 1),),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
     2,
     (
         (0, (0, 1, 0, 2, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
@@ -133,6 +146,23 @@ def _coefficients(out, sigma, L, omega_x, mu):
     out[..., 2] = x3
     out[..., 3] = x4
     out[..., 4] = 1j * sigma - mu
+    out[..., 5] = x4
+    out[..., 6] = x3
+    out[..., 7] = x2
+
+
+def _backbone(out, sigma, L, omega_x, mu):
+    # Intermediates
+    x0 = L * L
+    x1 = 1j * omega_x / x0
+    x2 = -3 / 4 * x1
+    x3 = 1 / 2 * x1
+    x4 = -1 / 4 * x1
+    # Outputs
+    out[..., 0] = x2
+    out[..., 2] = x3
+    out[..., 3] = x4
+    out[..., 4] = 1j * sigma
     out[..., 5] = x4
     out[..., 6] = x3
     out[..., 7] = x2
@@ -283,6 +313,46 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike,
+    of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
+    return modes_at(_FREE, (), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

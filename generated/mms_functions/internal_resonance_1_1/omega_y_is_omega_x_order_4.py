@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_1.py: change that, not this file.
-# Made from sha256 d3d84c5386a31f3d6e0aaf308c7e6f1ddab6b7773eac7cec3fa626cfb9f1299b
-# Operations for each point: slow_flow 131, coefficients 68, motion 98
+# Made from sha256 5d1ed0fe6602cde986d8f0880cea45c7200c61dd9c45aaaa6d923c0f2971b262
+# Operations for each point: slow_flow 131, coefficients 68, backbone 46, motion 98
 """internal_resonance_1_1: omega_y = omega_x + sigma, order 4.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -77,6 +79,21 @@ VARIABLES: tuple[str, ...] = ()
 
 #: terms of the slow flow: equation, powers of B, B̄, |B|
 _FLOW = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 2, 0, 0)), (0, (0, 1, 0, 3, 1, 0)), (0, (1, 0, 0, 0, 0, 0)),
+        (0, (1, 0, 0, 1, 1, 0)), (0, (1, 0, 0, 2, 2, 0)), (0, (1, 2, 0, 2, 0, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (0, (2, 1, 0, 1, 1, 0)), (0, (3, 0, 0, 0, 2, 0)),
+        (0, (3, 2, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+        (1, (0, 0, 0, 3, 2, 0)), (1, (0, 2, 0, 3, 0, 0)), (1, (1, 1, 0, 1, 0, 0)),
+        (1, (1, 1, 0, 2, 1, 0)), (1, (2, 0, 0, 0, 1, 0)), (1, (2, 0, 0, 1, 2, 0)),
+        (1, (2, 2, 0, 1, 0, 0)), (1, (3, 1, 0, 0, 1, 0)),
+    ),
+    ((1, 1),),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
     2,
     (
         (0, (0, 1, 0, 2, 0, 0)), (0, (0, 1, 0, 3, 1, 0)), (0, (1, 0, 0, 0, 0, 0)),
@@ -216,6 +233,50 @@ def _coefficients(out, sigma, L, omega_x, mu):
     out[..., 17] = x14
     out[..., 18] = x13
     out[..., 19] = x11
+
+
+def _backbone(out, sigma, L, omega_x, mu):
+    # Intermediates
+    x0 = omega_x * sigma
+    x1 = L * L
+    x2 = 1 / x1
+    x3 = 1j / omega_x
+    x4 = x2 * x3
+    x5 = omega_x * omega_x
+    x6 = sigma * sigma
+    x7 = 1j * omega_x
+    x8 = x1 * x1
+    x9 = x7 / x8
+    x10 = -21 / 32 * x9
+    x11 = mu * mu
+    x12 = 1 / 2 * x11
+    x13 = x2 * x7
+    x14 = 27 / 64 * x9
+    x15 = -55 / 64 * x9
+    x16 = 19 / 32 * x9
+    x17 = -13 / 64 * x9
+    x18 = -15 / 64 * x9
+    # Outputs
+    out[..., 0] = x4 * (1 / 4 * x6 - 5 / 4 * x0 - 3 / 4 * x5)
+    out[..., 1] = x10
+    out[..., 2] = -x12 * x3
+    out[..., 3] = 1 / 2 * x13
+    out[..., 4] = x14
+    out[..., 5] = x15
+    out[..., 6] = -1 / 4 * x13
+    out[..., 7] = x16
+    out[..., 8] = x17
+    out[..., 9] = x18
+    out[..., 10] = x3 * (omega_x * sigma - x12)
+    out[..., 11] = x4 * (3 / 4 * x6 - 7 / 4 * x0 - 1 / 4 * x5)
+    out[..., 12] = x18
+    out[..., 13] = x17
+    out[..., 14] = x4 * (1 / 2 * x5 + 1 / 2 * x6 - 1 / 2 * x0)
+    out[..., 15] = x16
+    out[..., 16] = -3 / 4 * x13
+    out[..., 17] = x15
+    out[..., 18] = x14
+    out[..., 19] = x10
 
 
 def _motion(out, sigma, L, omega_x, mu, f, Omega):
@@ -435,6 +496,46 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma: ArrayLike, L: ArrayLike, omega_x: ArrayLike, mu: ArrayLike,
+    of: str = "x",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma : array_like
+        Detuning, omega_y = omega_x + sigma, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, L=L, omega_x=omega_x, mu=mu)
+    return modes_at(_FREE, (), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

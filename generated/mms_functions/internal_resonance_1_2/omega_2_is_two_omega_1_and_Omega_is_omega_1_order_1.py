@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_2.py: change that, not this file.
-# Made from sha256 ecd108d2f32ee1eda6e5e1e2ca671a2e9b8b489e0684da22039be88ef26a58c9
-# Operations for each point: slow_flow 25, coefficients 13, motion 12
+# Made from sha256 1dd965420ab9c35dce87a77830beb3e891685f141cb08b4d146e381e52193ba1
+# Operations for each point: slow_flow 25, coefficients 13, backbone 7, motion 12
 """internal_resonance_1_2: omega_2 = 2*omega_1 + sigma_1 and Omega = omega_1 + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -88,6 +90,16 @@ _FLOW = Flow(
     (),
 )
 
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 1, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)),
+        (1, (2, 0, 0, 0, 0, 0)),
+    ),
+    ((1, 2),),
+)
+
 #: harmonics: order, coordinate, powers, multiples
 _MOTION = Motion(
     2,
@@ -124,6 +136,15 @@ def _coefficients(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, 
     out[..., 2] = -mu_1 - x2
     out[..., 3] = 1j * sigma_1 - mu_2 - 2 * x2
     out[..., 4] = -alpha_2 * x1
+
+
+def _backbone(out, sigma_1, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_1):
+    # Intermediates
+    x0 = 1j / omega_1
+    # Outputs
+    out[..., 0] = -1 / 2 * alpha_1 * x0
+    out[..., 2] = 1j * sigma_1
+    out[..., 3] = -1 / 4 * alpha_2 * x0
 
 
 def _motion(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_1, F_2):
@@ -308,6 +329,55 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_1: ArrayLike, of: str = "u_1",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_1 : array_like
+        Force on the slower oscillator, over its mass, m/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
+        alpha_2=alpha_2, F_1=F_1,
+    )
+    return modes_at(_FREE, (1.0, 2.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_2.py: change that, not this file.
-# Made from sha256 d8593aed0022f4c10c1711372b2aba38accbdc22f14aef2e3de7726352e164d0
-# Operations for each point: slow_flow 80, coefficients 58, motion 45
+# Made from sha256 0fa06fdabd91c7374a1b257bcd7b3f9c8a09954dcc7134a7daa8131c298ce8d7
+# Operations for each point: slow_flow 80, coefficients 58, backbone 32, motion 45
 """internal_resonance_1_2: omega_2 = 2*omega_1 + sigma_1 and Omega = omega_1 + sigma_2, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -87,6 +89,16 @@ _FLOW = Flow(
         (1, (0, 0, 0, 1, 0, 0)), (1, (1, 0, 0, 0, 0, 0)), (1, (2, 0, 0, 0, 0, 0)),
     ),
     (),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 1, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 0, 0)),
+    ),
+    ((1, 2),),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -161,6 +173,26 @@ def _coefficients(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, 
     out[..., 6] = x8 * (1j * (omega_1 * sigma_1 - 1 / 4 * x10) - mu_2 * omega_1) - 2 * x7
     out[..., 7] = -1 / 32 * F_1 * alpha_2 * x5
     out[..., 8] = alpha_2 * x1 * (1 / 16 * mu_2 + 1j * (1 / 16 * sigma_1 - x3) - x2)
+
+
+def _backbone(out, sigma_1, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_1):
+    # Intermediates
+    x0 = -sigma_1
+    x1 = omega_1 * omega_1
+    x2 = 1j / x1
+    x3 = 1j / omega_1
+    x4 = mu_1 * mu_1
+    x5 = omega_1 * x1
+    x6 = 1j / x5
+    x7 = alpha_1 * alpha_1
+    x8 = mu_2 * mu_2
+    # Outputs
+    out[..., 0] = -1 / 4 * alpha_1 * x2 * (2 * omega_1 + x0)
+    out[..., 1] = -1 / 2 * x3 * x4
+    out[..., 2] = 3 / 16 * x6 * x7
+    out[..., 3] = -5 / 16 * alpha_1 * alpha_2 * x6
+    out[..., 4] = x3 * (omega_1 * sigma_1 - 1 / 4 * x8)
+    out[..., 5] = -1 / 16 * alpha_2 * x2 * (4 * omega_1 + x0)
 
 
 def _motion(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_1, F_2):
@@ -367,6 +399,55 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_1: ArrayLike, of: str = "u_1",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_1 : array_like
+        Force on the slower oscillator, over its mass, m/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
+        alpha_2=alpha_2, F_1=F_1,
+    )
+    return modes_at(_FREE, (1.0, 2.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

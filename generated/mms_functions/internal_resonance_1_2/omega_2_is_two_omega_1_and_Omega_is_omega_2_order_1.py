@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_2.py: change that, not this file.
-# Made from sha256 5b8228c1dcfe12c94112fcbfd6c7d70b8171118147114a97d77f045e8922c1b5
-# Operations for each point: slow_flow 30, coefficients 18, motion 15
+# Made from sha256 f5bc1f4ba064efdce8285b98194d8c0f71f09d75fc0715e7a4ee7ef38a44ca94
+# Operations for each point: slow_flow 30, coefficients 18, backbone 8, motion 15
 """internal_resonance_1_2: omega_2 = 2*omega_1 + sigma_1 and Omega = omega_2 + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -88,6 +90,16 @@ _FLOW = Flow(
     (),
 )
 
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 1, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)),
+        (1, (2, 0, 0, 0, 0, 0)),
+    ),
+    ((1, 2),),
+)
+
 #: harmonics: order, coordinate, powers, multiples
 _MOTION = Motion(
     2,
@@ -126,6 +138,18 @@ def _coefficients(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, 
     out[..., 2] = -1 / 8 * F_2 * x0
     out[..., 3] = 1j * sigma_1 - mu_2 - 1j * (sigma_1 + sigma_2)
     out[..., 4] = -1 / 4 * alpha_2 * x0
+
+
+def _backbone(out, sigma_1, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2):
+    # Intermediates
+    x0 = 1j / omega_1
+    x1 = 1 / 2 * sigma_1
+    # Outputs
+    out[..., 0] = -1 / 2 * alpha_1 * x0
+    out[..., 1] = -1j * x1
+    out[..., 3] = -1 / 4 * alpha_2 * x0
+    out[..., 4] = x1
+    out[..., 5] = sigma_1
 
 
 def _motion(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2, F_1):
@@ -310,6 +334,55 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike, of: str = "u_1",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
+        alpha_2=alpha_2, F_2=F_2,
+    )
+    return modes_at(_FREE, (0.5, 1.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

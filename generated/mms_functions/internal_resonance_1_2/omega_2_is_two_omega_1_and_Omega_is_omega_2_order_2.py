@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_2.py: change that, not this file.
-# Made from sha256 97628318bcd8f94697d959f642ee1342b7f8dad352c97e60f3ddea15185de7e8
-# Operations for each point: slow_flow 84, coefficients 63, motion 53
+# Made from sha256 7bb8a5a060ff4be4da28561be79615c21ec3ff7613d1dcda28688b691cb5f7ef
+# Operations for each point: slow_flow 84, coefficients 63, backbone 38, motion 53
 """internal_resonance_1_2: omega_2 = 2*omega_1 + sigma_1 and Omega = omega_2 + sigma_2, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -87,6 +89,16 @@ _FLOW = Flow(
         (1, (0, 0, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 0, 0)),
     ),
     (),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 1, 0, 1, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (2, 0, 0, 0, 0, 0)),
+    ),
+    ((1, 2),),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -162,6 +174,29 @@ def _coefficients(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, 
     out[..., 7] = (
         alpha_2 * x4 * (1 / 16 * mu_2 + 1j * (1 / 16 * sigma_1 - 1 / 4 * omega_1) - 1 / 8 * mu_1)
     )
+
+
+def _backbone(out, sigma_1, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2):
+    # Intermediates
+    x0 = -sigma_1
+    x1 = omega_1 * omega_1
+    x2 = 1j / x1
+    x3 = 1j * sigma_1
+    x4 = 1 / omega_1
+    x5 = mu_1 * mu_1
+    x6 = omega_1 * x1
+    x7 = 1j / x6
+    x8 = alpha_1 * alpha_1
+    x9 = mu_2 * mu_2
+    # Outputs
+    out[..., 0] = -1 / 4 * alpha_1 * x2 * (2 * omega_1 + x0)
+    out[..., 1] = -1 / 2 * x3 - 1 / 2 * 1j * x4 * x5
+    out[..., 2] = 3 / 16 * x7 * x8
+    out[..., 3] = -5 / 16 * alpha_1 * alpha_2 * x7
+    out[..., 4] = 1j * x4 * (omega_1 * sigma_1 - 1 / 4 * x9) - x3
+    out[..., 5] = -1 / 16 * alpha_2 * x2 * (4 * omega_1 + x0)
+    out[..., 6] = 1 / 2 * sigma_1
+    out[..., 7] = sigma_1
 
 
 def _motion(out, sigma_1, sigma_2, omega_1, mu_1, mu_2, alpha_1, alpha_2, F_2, F_1):
@@ -370,6 +405,55 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, F_2: ArrayLike, of: str = "u_1",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_2 = 2*omega_1 + sigma_1, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Coupling in the first equation, 1/(m s^2), > 0.
+    alpha_2 : array_like
+        Coupling in the second equation, 1/(m s^2), > 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
+        alpha_2=alpha_2, F_2=F_2,
+    )
+    return modes_at(_FREE, (0.5, 1.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

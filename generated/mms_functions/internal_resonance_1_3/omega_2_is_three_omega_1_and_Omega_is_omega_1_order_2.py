@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_3.py: change that, not this file.
-# Made from sha256 fc3353f3ddd9829b22a380bbbc7b4f06c8c0ecd76275cee44afea2fedca0d71f
-# Operations for each point: slow_flow 298, coefficients 221, motion 575
+# Made from sha256 bf017d00bc6543b4ba467876296d0308f97aad0db3870e32860542919dfa4f6c
+# Operations for each point: slow_flow 298, coefficients 221, backbone 147, motion 575
 """internal_resonance_1_3: omega_2 = 3*omega_1 + sigma_1 and Omega = omega_1 + sigma_2, order 2.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -100,6 +102,21 @@ _FLOW = Flow(
         (1, (4, 1, 0, 0, 0, 0)),
     ),
     (),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 2, 0, 1, 0, 0)), (0, (0, 2, 0, 2, 1, 0)), (0, (1, 0, 0, 0, 0, 0)),
+        (0, (1, 0, 0, 1, 1, 0)), (0, (1, 0, 0, 2, 2, 0)), (0, (1, 3, 0, 1, 0, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (0, (2, 1, 0, 1, 1, 0)), (0, (3, 2, 0, 0, 0, 0)),
+        (0, (4, 0, 0, 0, 1, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+        (1, (0, 0, 0, 3, 2, 0)), (1, (0, 3, 0, 2, 0, 0)), (1, (1, 1, 0, 1, 0, 0)),
+        (1, (1, 1, 0, 2, 1, 0)), (1, (2, 2, 0, 1, 0, 0)), (1, (3, 0, 0, 0, 0, 0)),
+        (1, (3, 0, 0, 1, 1, 0)), (1, (4, 1, 0, 0, 0, 0)),
+    ),
+    ((1, 3),),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -322,6 +339,70 @@ def _coefficients(
         x4 * (alpha_1 * alpha_7 / 24 + alpha_2 * alpha_6 / 24 - x21 - x27 / 36 - 1 / 16 * x28)
     )
     out[..., 27] = -31 * alpha_5 * alpha_6 * x4 / 432
+
+
+def _backbone(
+    out, sigma_1, omega_1, mu_1, mu_2, alpha_1, alpha_2, alpha_3, alpha_4, alpha_5, alpha_6,
+    alpha_7, alpha_8, F_1, F_2,
+):
+    # Intermediates
+    x0 = -sigma_1
+    x1 = omega_1 * omega_1
+    x2 = 1j / x1
+    x3 = 1 / 8 * alpha_2
+    x4 = omega_1 * x1
+    x5 = 1j / x4
+    x6 = 1j / omega_1
+    x7 = mu_1 * mu_1
+    x8 = alpha_4 * alpha_7
+    x9 = alpha_3 * alpha_3
+    x10 = -1 / 2 * alpha_1 * alpha_2
+    x11 = alpha_2 * alpha_6
+    x12 = alpha_3 * alpha_5
+    x13 = 3 / 2 * alpha_1
+    x14 = alpha_3 * alpha_6
+    x15 = alpha_4 * alpha_5
+    x16 = alpha_2 * alpha_2
+    x17 = alpha_1 * alpha_1
+    x18 = x12 / 12
+    x19 = mu_2 * mu_2
+    x20 = x2 * (3 * omega_1 + x0)
+    x21 = alpha_8 * alpha_8
+    x22 = alpha_5 * alpha_8
+    x23 = alpha_6 * alpha_7
+    x24 = alpha_7 * alpha_7
+    x25 = alpha_6 * alpha_6
+    # Outputs
+    out[..., 0] = -1 / 4 * alpha_2 * x2 * (2 * omega_1 + x0)
+    out[..., 1] = (
+        x5 * (9 / 16 * alpha_1 * alpha_4 + 5 / 16 * alpha_2 * alpha_3 - 3 / 16 * alpha_3 * alpha_7
+        - 9 / 32 * alpha_4 * alpha_6 - alpha_8 * x3)
+    )
+    out[..., 2] = -1 / 2 * x6 * x7
+    out[..., 3] = -alpha_3 * x6
+    out[..., 4] = x5 * (3 / 4 * alpha_2 * alpha_4 - 99 * x8 / 160 - 15 / 32 * x9)
+    out[..., 5] = x5 * (-x10 - 5 * x11 / 24 - 7 * x12 / 24)
+    out[..., 6] = -x13 * x6
+    out[..., 7] = (
+        x5 * (19 * x16 / 24 - 3 / 8 * alpha_2 * alpha_7 - alpha_3 * x13 - 1 / 16 * x14
+        - 9 / 8 * x15)
+    )
+    out[..., 8] = x5 * (-29 * alpha_2 * alpha_5 / 48 - 15 / 16 * x17)
+    out[..., 9] = x5 * (-x10 - 1 / 16 * x11 - x18)
+    out[..., 10] = x6 * (omega_1 * sigma_1 - x19 / 6)
+    out[..., 11] = -alpha_8 * x20 / 6
+    out[..., 12] = x5 * (91 * x8 / 480 - 5 * x21 / 144)
+    out[..., 13] = x5 * (alpha_1 * alpha_7 / 48 + x12 / 48 + x22 / 72 - x11 / 36 - 1 / 32 * x23)
+    out[..., 14] = -alpha_6 * x20 / 9
+    out[..., 15] = (
+        x5 * (alpha_7 * x3 + x14 / 48 + 3 / 8 * x15 - alpha_6 * alpha_8 / 18 - 11 * x24 / 80)
+    )
+    out[..., 16] = x5 * (11 * alpha_2 * alpha_5 / 48 - 1 / 4 * alpha_5 * alpha_7 - 25 * x25 / 864)
+    out[..., 17] = -alpha_5 * x2 * (6 * omega_1 + x0) / 36
+    out[..., 18] = (
+        x5 * (alpha_1 * alpha_7 / 24 + alpha_2 * alpha_6 / 24 - x18 - x22 / 36 - 1 / 16 * x23)
+    )
+    out[..., 19] = -31 * alpha_5 * alpha_6 * x5 / 432
 
 
 def _motion(
@@ -733,6 +814,72 @@ def frequency_response(
         over,
         gradient,
     )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, alpha_4: ArrayLike,
+    alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_7: ArrayLike, alpha_8: ArrayLike, F_1: ArrayLike,
+    F_2: ArrayLike, of: str = "u_1",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_1, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Cubic term 1, 1/(m^2 s^2), real.
+    alpha_2 : array_like
+        Cubic term 2, 1/(m^2 s^2), real.
+    alpha_3 : array_like
+        Cubic term 3, 1/(m^2 s^2), real.
+    alpha_4 : array_like
+        Cubic term 4, 1/(m^2 s^2), real.
+    alpha_5 : array_like
+        Cubic term 5, 1/(m^2 s^2), real.
+    alpha_6 : array_like
+        Cubic term 6, 1/(m^2 s^2), real.
+    alpha_7 : array_like
+        Cubic term 7, 1/(m^2 s^2), real.
+    alpha_8 : array_like
+        Cubic term 8, 1/(m^2 s^2), real.
+    F_1 : array_like
+        Force on the slower oscillator, over its mass, m/s^2, >= 0.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
+        alpha_2=alpha_2, alpha_3=alpha_3, alpha_4=alpha_4, alpha_5=alpha_5, alpha_6=alpha_6,
+        alpha_7=alpha_7, alpha_8=alpha_8, F_1=F_1, F_2=F_2,
+    )
+    return modes_at(_FREE, (1.0, 3.0), _backbone, arguments, amplitude, COORDINATES, of)
 
 
 def jacobian(

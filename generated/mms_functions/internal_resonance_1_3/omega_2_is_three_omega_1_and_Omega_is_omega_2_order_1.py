@@ -1,6 +1,6 @@
 # Emitted by mmsgen 0.1.0 from derivations/internal_resonance_1_3.py: change that, not this file.
-# Made from sha256 11f62c9dc75a793e1d4c295e244b542a1b5baa11ce14d7ff436b514d60f62c43
-# Operations for each point: slow_flow 53, coefficients 24, motion 32
+# Made from sha256 8fb0556f74d45432a1d7960776a8dd538a24ff5c90a78827867fcff836b43781
+# Operations for each point: slow_flow 53, coefficients 24, backbone 14, motion 32
 """internal_resonance_1_3: omega_2 = 3*omega_1 + sigma_1 and Omega = omega_2 + sigma_2, order 1.
 
 Modulation of the amplitudes A_j in q_j = A_j exp(i ω_j t) + c.c. + …, by the method of multiple
@@ -21,6 +21,7 @@ import numpy as np
 
 from .._flow import Flow
 from .._many_amplitudes import equilibria_of_many
+from .._modes import modes_at
 from .._motion import Motion, response_at
 from .._nonlinear import equilibria_at, jacobian_at, response_along, stability_at
 from .._runtime import checked, checked_amplitudes, evaluate_array
@@ -35,6 +36,7 @@ __all__ = [
     "PARAMETERS",
     "RELATIONS",
     "VARIABLES",
+    "backbone",
     "equilibria",
     "frequency_response",
     "jacobian",
@@ -93,6 +95,17 @@ _FLOW = Flow(
         (1, (0, 0, 0, 2, 1, 0)), (1, (1, 1, 0, 1, 0, 0)), (1, (3, 0, 0, 0, 0, 0)),
     ),
     (),
+)
+
+#: terms of free motions without damping
+_FREE = Flow(
+    2,
+    (
+        (0, (0, 2, 0, 1, 0, 0)), (0, (1, 0, 0, 0, 0, 0)), (0, (1, 0, 0, 1, 1, 0)),
+        (0, (2, 1, 0, 0, 0, 0)), (1, (0, 0, 0, 1, 0, 0)), (1, (0, 0, 0, 2, 1, 0)),
+        (1, (1, 1, 0, 1, 0, 0)), (1, (3, 0, 0, 0, 0, 0)),
+    ),
+    ((1, 3),),
 )
 
 #: harmonics: order, coordinate, powers, multiples
@@ -157,6 +170,25 @@ def _coefficients(
     out[..., 6] = -alpha_8 * x1
     out[..., 7] = -alpha_6 * x0 / 3
     out[..., 8] = -alpha_5 * x0 / 6
+
+
+def _backbone(
+    out, sigma_1, omega_1, mu_1, mu_2, alpha_1, alpha_2, alpha_3, alpha_5, alpha_6, alpha_8, F_2,
+):
+    # Intermediates
+    x0 = 1j / omega_1
+    x1 = 1 / 2 * x0
+    x2 = sigma_1 / 3
+    # Outputs
+    out[..., 0] = -alpha_2 * x1
+    out[..., 1] = -1j * x2
+    out[..., 2] = -alpha_3 * x0
+    out[..., 3] = -3 / 2 * alpha_1 * x0
+    out[..., 5] = -alpha_8 * x1
+    out[..., 6] = -alpha_6 * x0 / 3
+    out[..., 7] = -alpha_5 * x0 / 6
+    out[..., 8] = x2
+    out[..., 9] = sigma_1
 
 
 def _motion(
@@ -395,6 +427,73 @@ def frequency_response(
         ),
         over,
         gradient,
+    )
+
+
+def backbone(
+    amplitude: ArrayLike, /, *, sigma_1: ArrayLike, omega_1: ArrayLike, mu_1: ArrayLike,
+    mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike, alpha_5: ArrayLike,
+    alpha_6: ArrayLike, alpha_8: ArrayLike, F_2: ArrayLike, of: str = "u_1",
+) -> Any:
+    """Free motions without damping in which one coordinate has a given amplitude.
+
+    All periodic ones: normal modes, whose frequencies over the amplitude are the backbone curves of
+    the responses. Forces and damping are left out.
+
+    Parameters
+    ----------
+    amplitude : array_like
+        a = 2|B|, the amplitude of the fundamental harmonic, >= 0.
+    sigma_1 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_1, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Cubic term 1, 1/(m^2 s^2), real.
+    alpha_2 : array_like
+        Cubic term 2, 1/(m^2 s^2), real.
+    alpha_3 : array_like
+        Cubic term 3, 1/(m^2 s^2), real.
+    alpha_5 : array_like
+        Cubic term 5, 1/(m^2 s^2), real.
+    alpha_6 : array_like
+        Cubic term 6, 1/(m^2 s^2), real.
+    alpha_8 : array_like
+        Cubic term 8, 1/(m^2 s^2), real.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    of : str, optional
+        That coordinate.
+
+    Returns
+    -------
+    Backbone
+        The arrays amplitudes (..., count, 2), shift (..., count, 2) of the frequency of each
+        coordinate in rad/s, detuning (..., count) of a force at that frequency in rad/s, and growth
+        (..., count) in 1/s, zero where a motion is stable; NaN where there are fewer.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2, alpha_1=alpha_1,
+        alpha_2=alpha_2, alpha_3=alpha_3, alpha_5=alpha_5, alpha_6=alpha_6, alpha_8=alpha_8,
+        F_2=F_2,
+    )
+    return modes_at(
+        _FREE,
+        (0.3333333333333333, 1.0),
+        _backbone,
+        arguments,
+        amplitude,
+        COORDINATES,
+        of,
     )
 
 

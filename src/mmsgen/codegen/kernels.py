@@ -43,6 +43,7 @@ RUNTIME = {
         "_nonlinear",
     ),
     "equilibria_of_one": "_one_amplitude",
+    "modes_at": "_modes",
     "equilibria_of_many": "_many_amplitudes",
     **dict.fromkeys(
         (

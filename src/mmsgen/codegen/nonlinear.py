@@ -10,7 +10,10 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
+from ..errors import ExpansionError
+from ..free_motion import free_part
 from ..ir import compute_ir, fresh
+from ..runtime._flow import Flow
 from .curves import backbone_function, response_function
 from .kernels import AMPLITUDES, Constant, EmittedFunction, Kernel, Option, Reference, called
 from .nonlinear_values import (
@@ -40,8 +43,12 @@ def flow_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
         _jacobian_function(setting, formulas),
         _stability_function(setting, formulas),
     )
-    curves = (response_function(setting, TABLE, COEFFICIENTS), backbone_function(setting))
-    held = replace(first, kernels=(kernel,), constants=(_constant(setting),))
+    curves = (
+        response_function(setting, TABLE, COEFFICIENTS),
+        backbone_function(setting),
+        _modes_function(setting),
+    )
+    held = replace(first, kernels=(kernel,), constants=(_constant(setting.flow.table.flow, TABLE),))
     return (held, *(f for f in curves if f is not None), *others)
 
 
@@ -55,14 +62,16 @@ def _kernel(setting: Setting) -> tuple[Kernel, str]:
     return Kernel(COEFFICIENTS, ir, leading=(out,)), out
 
 
-def _constant(setting: Setting) -> Constant:
-    n, terms, symmetries = setting.flow.table.flow
+def _constant(
+    flow: Flow, name: str, comment: str = "terms of the slow flow: equation, powers of B, B̄, |B|"
+) -> Constant:
+    n, terms, symmetries = flow
     inner = "\n".join(wrapped([str(term) for term in terms], 8))
     circles = str(symmetries)
     if len(circles) > LINE_LENGTH - 5:
         circles = "(\n" + "\n".join(wrapped([str(k) for k in symmetries], 8)) + "\n    )"
     items = (str(n), f"(\n{inner}\n    )", circles)
-    return Constant(TABLE, "Flow", items, "terms of the slow flow: equation, powers of B, B̄, |B|")
+    return Constant(name, "Flow", items, comment)
 
 
 def _leading(setting: Setting) -> tuple[tuple[str, str], ...]:
@@ -111,6 +120,50 @@ def _equilibria_function(setting: Setting, formulas: Formulas) -> EmittedFunctio
         uses=("equilibria_at", solver),
         options=(gradient,),
         kind="Equilibria",
+    )
+
+
+def _modes_function(setting: Setting) -> EmittedFunction | None:
+    """The function `backbone` of a case with several amplitudes; None where there is none."""
+    if len(setting.coordinates) == 1:
+        return None
+    try:
+        free = free_part(setting.flow)
+    except ExpansionError:
+        return None
+    arguments = tuple(p for p in setting.parameters if p.symbol not in free.forced)
+    names, n, flow = [p.name for p in arguments], len(setting.coordinates), free.table.flow
+    out = fresh("out", names)
+    values = (*free.table.coefficients, *free.frame)
+    outputs = {f"{out}[..., {m}]": c for m, c in enumerate(values) if c != 0}
+    ir = compute_ir(f"{setting.name}.backbone", [p.symbol for p in arguments], outputs)
+    leading, of = fresh("amplitude", names), fresh("of", names)
+    pull = f"({', '.join(str(float(x)) for x in free.pull)})"
+    items = ["{_FREE}", pull, "{_backbone}", "{arguments}", leading, "COORDINATES", of]
+    first = setting.coordinates[0]
+    return EmittedFunction(
+        name="backbone",
+        arguments=arguments,
+        body=called("{modes_at}", items),
+        returns="Any",
+        summary="Free motions without damping in which one coordinate has a given amplitude.",
+        description=(
+            "All periodic ones: normal modes, whose frequencies over the amplitude are the "
+            "backbone curves of the responses. Forces and damping are left out."
+        ),
+        result=(
+            f"The arrays amplitudes (..., count, {n}), shift (..., count, {n}) of the frequency "
+            "of each coordinate in rad/s, detuning (..., count) of a force at that frequency in "
+            "rad/s, and growth (..., count) in 1/s, zero where a motion is stable; NaN where there "
+            "are fewer."
+        ),
+        reference=None,
+        kernels=(Kernel("_backbone", ir, leading=(out,)),),
+        constants=(_constant(flow, "_FREE", "terms of free motions without damping"),),
+        uses=("modes_at",),
+        leading=((leading, "a = 2|B|, the amplitude of the fundamental harmonic, >= 0."),),
+        options=(Option(of, "str", f'"{first}"', "str, optional", "That coordinate."),),
+        kind="Backbone",
     )
 
 

@@ -64,7 +64,8 @@ class Backbone(NamedTuple):
         after the last one.
     shift : numpy.ndarray
         Shape (..., k, n), rad/s: by how much the frequency of each coordinate is off the natural
-        one, at the exact resonance. NaN where an amplitude is zero.
+        one; where a resonance replaces that, as ω_2 = 2ω_1 + σ, off what it is at σ = 0. NaN where
+        an amplitude is zero.
     detuning : numpy.ndarray
         Shape (..., k), rad/s: the detuning of a force that acts at that frequency, where the
         backbone is in a response over this detuning. NaN where the slow flow has no such force.
