@@ -115,6 +115,37 @@ def coupled(force: float) -> Callable[[Any], Any]:
     return coefficients
 
 
+@pytest.mark.parametrize("count", [20, 86, 400])
+def test_a_thin_isola(count: int) -> None:
+    """Self-excited and driven weakly: ρ((μ − νρ)² + (σ − cρ)²) = f², two roots 2e-4 of ρ apart.
+
+    σ(ρ) = cρ ± √(f²/ρ − (μ − νρ)²) has its extrema where (2ν(μ − νρ)ρ² − f²)² is
+    4c²ρ³(f² − ρ(μ − νρ)²).
+    """
+    mu, nu, c, f = 0.0188, 0.017, -1.836, 0.000207
+    flow = Flow(1, ((0, (0, 0, 0)), (0, (1, 0, 0)), (0, (2, 1, 0))))
+
+    def coefficients(s):
+        one = np.ones(len(s))
+        return np.stack([-1j * f * one, mu - 1j * s, (-nu + 1j * c) * one], axis=-1)
+
+    rho, gain = np.poly1d([1, 0]), np.poly1d([-nu, mu])
+    ends = 4 * c**2 * (f**2 * rho**3 - rho**4 * gain**2) - (2 * nu * gain * rho**2 - f**2) ** 2
+    at = [r.real for r in ends.roots if abs(r.imag) < 1e-9 and r.real > 0.5]
+    sides = [np.sign(c * (f**2 / r**2 - 2 * nu * gain(r))) for r in at]
+    expected = [
+        c * r + side * np.sqrt(f**2 / r - gain(r) ** 2) for r, side in zip(at, sides, strict=True)
+    ]
+    p = np.linspace(-8.2, 4.1, count)
+    response = response_of(flow, coefficients, p)
+    folds = [b.parameter for b in response.bifurcations]
+    # Roots of a polynomial that are 0.02 apart, their rounding twice under a root of 1e-4.
+    assert folds == pytest.approx(sorted(expected), abs=1e-8)
+    again = response_of(flow, coefficients, np.union1d(p, folds))
+    assert [b.parameter for b in again.bifurcations] == pytest.approx(folds, abs=1e-10)
+    assert len(response.branches) == len(again.branches) == 2
+
+
 @pytest.mark.parametrize("above", [0.07, 0.0583])
 @pytest.mark.parametrize("count", [40, 600])
 def test_a_small_isola_of_two_amplitudes(count: int, above: float) -> None:

@@ -39,6 +39,9 @@ MOST_MORE = 60
 REGULAR = 1e-4
 """An eigenvalue that is smaller than the others by this is nearly zero: 1e-8 from a fold."""
 
+DOUBLE = 1e-6
+"""Below this, two equilibria are one to the rounding."""
+
 ASIDE, BEYOND = 0.382, 1e-3
 """How far a section moves: of the way to the next value; at the ends, of the range."""
 
@@ -63,7 +66,7 @@ def sections_of(
     if len(p) == 1:
         return p, _solved(flow, numbers(p))
     values = _base(flow, numbers, p)
-    sections, found, fixed = (_of_one if flow.n == 1 else _of_many)(flow, numbers, values)
+    sections, found, fixed = (_of_one if flow.n == 1 else _of_many)(flow, numbers, values, p)
     first = sections.copy()
     bad = np.flatnonzero(_singular(flow, _extended(numbers, p, sections), found))
     bad = bad[~np.isin(sections[bad], fixed)]  # on small closed branches all is nearly singular
@@ -100,29 +103,47 @@ def _base(
 
 
 def _of_one(
-    flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
+    flow: Flow,
+    numbers: Callable[[Any], NDArray[np.complex128]],
+    p: NDArray[np.float64],
+    given: NDArray[np.float64],
 ) -> tuple[NDArray[np.float64], Equilibria, NDArray[np.float64]]:
     """Sections, equilibria there, and those of the sections that must stay where they are."""
     c = numbers(p)
     every = _solved(flow, c)
-    number = np.where(_singular(flow, c, every), 0, every.number)
+    number, singular = every.number, _singular(flow, c, every)
     chosen = _spread(len(p), SECTIONS_OF_ONE)
     # A closed branch shows in the number of equilibria: one section at least for each number.
     stops = np.concatenate(([0], np.flatnonzero(np.diff(number)) + 1, [len(p)]))
-    middle = (stops[:-1] + stops[1:] - 1) // 2
-    empty = np.searchsorted(chosen, stops[:-1]) == np.searchsorted(chosen, stops[1:])
-    chosen = np.union1d(chosen, middle[empty & (number[middle] > 0)][:MOST_MORE])
-    between = touching(flow, numbers, p)[:MOST_MORE]
-    if not len(between):
-        return p[chosen], _picked(every, chosen), between
-    at = np.concatenate((p[chosen], between))
-    at, order = np.unique(at, return_index=True)
-    found = _together(_picked(every, chosen), _solved(flow, numbers(between)))
-    return at, _picked(found, order), between
+    first, last = stops[:-1], stops[1:] - 1
+    regular = chosen[~singular[chosen]]
+    empty = np.searchsorted(regular, first) == np.searchsorted(regular, last, side="right")
+    # More than on either side: at a single fold there is the mean of both.
+    empty &= number[first] >= number[np.maximum(first - 1, 0)]
+    empty &= number[first] >= number[np.minimum(last + 1, len(p) - 1)]
+    empty &= (last > first) | ~_singular(flow, c[first], _picked(every, first), DOUBLE)
+    middle = 0.5 * (p[first] + p[last])[empty & (number[first] > 0)]
+    fixed = np.concatenate((middle[:MOST_MORE], touching(flow, numbers, p)[:MOST_MORE]))
+    fixed = _snapped(fixed, given)
+    if not len(fixed):
+        return p[chosen], _picked(every, chosen), fixed
+    at, order = np.unique(np.concatenate((p[chosen], fixed)), return_index=True)
+    found = _together(_picked(every, chosen), _solved(flow, numbers(fixed)))
+    return at, _picked(found, order), fixed
+
+
+def _snapped(at: NDArray[np.float64], given: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The given values in place of those that differ from them by rounding."""
+    after = np.clip(np.searchsorted(given, at), 1, len(given) - 1)
+    near = np.where(at - given[after - 1] < given[after] - at, given[after - 1], given[after])
+    return np.where(np.abs(near - at) < 1e-9 * (given[-1] - given[0]), near, at)
 
 
 def _of_many(
-    flow: Flow, numbers: Callable[[Any], NDArray[np.complex128]], p: NDArray[np.float64]
+    flow: Flow,
+    numbers: Callable[[Any], NDArray[np.complex128]],
+    p: NDArray[np.float64],
+    given: NDArray[np.float64],
 ) -> tuple[NDArray[np.float64], Equilibria, NDArray[np.float64]]:
     # A double equilibrium may not be found, so that none of them is looked at where one was given.
     at = p.copy()
@@ -137,7 +158,7 @@ def _of_many(
         order = np.argsort(chosen)
         chosen, found = chosen[order], _picked(found, order)
     sections = at[chosen]
-    between = meetings(flow, numbers, sections)[:MOST_MORE]
+    between = _snapped(meetings(flow, numbers, sections)[:MOST_MORE], given)
     if not len(between):
         return sections, found, between
     sections, order = np.unique(np.concatenate((sections, between)), return_index=True)
@@ -151,7 +172,9 @@ def _solved(flow: Flow, c: NDArray[np.complex128]) -> Equilibria:
     return equilibria_of_many(flow, c)
 
 
-def _singular(flow: Flow, c: NDArray[Any], found: Equilibria) -> NDArray[np.bool_]:
+def _singular(
+    flow: Flow, c: NDArray[Any], found: Equilibria, least: float = REGULAR
+) -> NDArray[np.bool_]:
     """Whether an eigenvalue of one of the equilibria is nearly zero, but for the symmetries."""
     c = c[:, None, :]
     drift = found.drift if flow.symmetries else None
@@ -168,7 +191,7 @@ def _singular(flow: Flow, c: NDArray[Any], found: Equilibria) -> NDArray[np.bool
         sizes = np.where(np.isfinite(sizes), sizes, np.nan)
         ratio = np.nanmin(np.append(sizes, np.full((*sizes.shape[:-1], 1), np.inf), -1), -1)
         ratio /= np.nanmax(np.append(sizes, np.zeros((*sizes.shape[:-1], 1)), -1), -1)
-    singular: NDArray[np.bool_] = (there & ~(ratio > REGULAR)).any(axis=-1)
+    singular: NDArray[np.bool_] = (there & ~(ratio > least)).any(axis=-1)
     return singular
 
 
