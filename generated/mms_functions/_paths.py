@@ -188,11 +188,12 @@ class Paths(NamedTuple):
 
 
 # A path that has come this close to its end without arriving ends in a singular point or at
-# infinity; so does one whose unknowns, near its end, are as large or as small as e^FAR. Before
-# that they may pass by infinity.
+# infinity; so does one whose unknowns, near its end, are as large or as small as e^FAR and go on
+# as a power of the rest of the way, at least the LEAVING-th. Before that they may pass by infinity.
 CLOSE = 1e-9
 FAR = 18.0
-NOWHERE = 60.0
+LEAVING = 0.03
+NOWHERE = 300.0
 LONGEST = 0.2
 ENOUGH = 2000
 
@@ -201,15 +202,22 @@ class _State(NamedTuple):
     """Paths under way: where they are, and where they were one step before."""
 
     place: NDArray[np.int64]
-    begin: NDArray[Any]
-    change: NDArray[Any]
-    tau: NDArray[np.float64]
+    end: NDArray[Any]  # coefficients are (end + rest · line) e^(rest · turn)
+    line: NDArray[Any]
+    turn: NDArray[Any]
+    rest: NDArray[np.float64]  # of the way
     h: NDArray[np.float64]
     y: NDArray[Any]
     slope: NDArray[Any]
     back: NDArray[np.float64]
     y_back: NDArray[Any]
     slope_back: NDArray[Any]
+
+    def coefficients(self, rest: NDArray[np.float64]) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Coefficients where so much of the way is left, and their derivatives along the way."""
+        grown = np.exp(rest * self.turn)
+        c = (self.end + rest * self.line) * grown
+        return c, -(self.line * grown + self.turn * c)
 
     def pick(self, rows: NDArray[Any]) -> _State:
         """Those of some paths alone."""
@@ -249,7 +257,11 @@ def track(
     logs: int,
     tolerance: float = 2e-3,
 ) -> Paths:
-    """Follow solutions from coefficients `begin` to `end` along straight lines between them.
+    """Follow solutions from coefficients `begin` to `end`.
+
+    The logarithms of the coefficients go along straight lines; so do coefficients themselves that
+    vanish at one of the ends. Solutions of all sizes are so reached at an even speed, where those
+    of coefficients on straight lines come to coefficients that are very small at the last moment.
 
     A cubic through the last two points and their tangents predicts, Newton's method corrects; a
     step counts where the second correction is a small part of the first. Each path has steps of
@@ -273,17 +285,22 @@ def track(
     with np.errstate(all="ignore"):
         y = ends.copy()
         y[:logs] = np.log(y[:logs])
-        change = end - begin
-        slope = way.steps(begin, change, y)[1]
-        tau, h = np.zeros(count), np.full(count, 0.02)
-        s = _State(np.arange(count), begin, change, tau, h, y, slope, 0 * h, y, slope)
+        flat = (begin == 0.0) | (end == 0.0)
+        line = np.where(flat, begin - end, 0.0)
+        turn = np.where(flat, 0.0, np.log(np.where(flat, 1.0, begin / end)))
+        rest, h, back = np.ones(count), np.full(count, 0.02), np.zeros(count)
+        s = _State(np.arange(count), end, line, turn, rest, h, y, y, back, y, y)
+        slope = way.steps(*s.coefficients(rest), y)[1]
+        s = s._replace(slope=slope, slope_back=slope)
         for k in range(ENOUGH + 1):
-            rest = 1.0 - s.tau
-            far = ~(np.abs(s.y[:logs].real) < np.where(rest < 1e-3, FAR, NOWHERE)).all(axis=0)
-            over = (rest <= CLOSE) | far | (s.h < 1e-12) | (k == ENOUGH)
+            large = np.abs(s.y[:logs].real)
+            leaving = s.rest * np.abs(s.slope[:logs].real) > LEAVING
+            far = ((large > FAR) & leaving & (s.rest < 1e-3)).any(axis=0)
+            far |= ~(large < NOWHERE).all(axis=0)
+            over = (s.rest <= CLOSE) | far | (s.h < 1e-3 * CLOSE) | (k == ENOUGH)
             if over.any():
                 ends[:, s.place[over]] = way.unknowns(s.y[:, over])[0]
-                left[s.place[over]] = rest[over]
+                left[s.place[over]] = s.rest[over]
                 s = s.pick(~over)
             if not len(s.place):
                 break
@@ -303,12 +320,11 @@ def _predicted(s: _State, h: NDArray[np.float64]) -> NDArray[Any]:
 
 def _step(way: _Map, s: _State, tolerance: float) -> _State:
     """The next point of each path, or the same one again and a shorter step."""
-    h = np.minimum(s.h, 1.0 - s.tau)
-    tau = np.where(h < 1.0 - s.tau, s.tau + h, 1.0)
-    c = s.begin + tau * s.change
+    h = np.minimum(s.h, s.rest)
+    c, change = s.coefficients(s.rest - h)
     y = _predicted(s, h)
-    first, _ = way.steps(c, s.change, y)
-    second, slope = way.steps(c, s.change, y + first)
+    first, _ = way.steps(c, change, y)
+    second, slope = way.steps(c, change, y + first)
     y = y + first + second
     size = np.ones_like(y.real)
     size[way.logs :] += np.abs(y[way.logs :])
@@ -318,9 +334,10 @@ def _step(way: _Map, s: _State, tolerance: float) -> _State:
     wish = np.where(np.isfinite(wish), wish, 0.2)
     return _State(
         s.place,
-        s.begin,
-        s.change,
-        np.where(good, tau, s.tau),
+        s.end,
+        s.line,
+        s.turn,
+        np.where(good, s.rest - h, s.rest),
         np.where(good, np.minimum(h * wish, LONGEST), h * np.minimum(wish, 0.5)),
         np.where(good, y, s.y),
         np.where(good, slope, s.slope),

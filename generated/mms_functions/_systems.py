@@ -66,6 +66,11 @@ def gauges(flow: Flow, active: tuple[int, ...], drifts: tuple[int, ...]) -> tupl
     return best
 
 
+# Weight of the squares of sizes, and steps to the least sum.
+WEAK = 0.05
+MOST_STEPS = 200
+
+
 class System(NamedTuple):
     """Polynomial equations for the equilibria with given amplitudes other than zero.
 
@@ -246,21 +251,68 @@ def measured(
     own = np.flatnonzero((rows < 2 * p) & (rows % 2 == 0))
     design = np.concatenate((weights[own], (rows[own, None] // 2 == np.arange(p))), axis=1)
     with np.errstate(divide="ignore"):
-        logs = np.log(np.abs(raw[own]))
-    counted = np.isfinite(logs).astype(float)
-    logs = np.where(counted > 0.0, logs, 0.0)
-    answer = np.zeros((unknowns + p, raw.shape[1]))
-    for _ in range(2):
-        # Least squares; the small diagonal decides what no coefficient determines.
-        normal_matrix = np.einsum("ti,tk,tj->kij", design, counted, design)
-        normal_matrix += 1e-6 * np.eye(unknowns + p)
-        right = -np.einsum("ti,tk->ki", design, counted * logs)
-        answer = np.linalg.solve(normal_matrix, right[..., None])[..., 0].T
-        size = logs + design @ answer
-        largest = np.full((p, raw.shape[1]), -np.inf)
-        np.maximum.at(largest, rows[own] // 2, np.where(counted > 0.0, size, -np.inf))
-        counted = counted * (size > largest[rows[own] // 2] + np.log(1e-4))
+        answer = _balanced(design, p, np.log(np.abs(raw[own])).T).T
     powers = np.where(rows[:, None] < 2 * p, weights @ answer[:unknowns], 0.0)
     level = answer[unknowns + np.minimum(rows // 2, p - 1)]
     powers = powers + np.where(rows[:, None] < 2 * p, level, 0.0)
     return np.exp(powers), np.exp(answer[:unknowns])
+
+
+def _balanced(
+    design: NDArray[np.float64], p: int, logs: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """The x for which Σ φ(s), φ(s) = e^s − s + s²/20, is least, s = logs + design x.
+
+    That asks for sizes e^s near one, firmly of large ones and gently of small ones: no size is
+    larger than the number of terms in its equation, or not by much. Since φ is convex the fit is
+    the same in any units, and where x is not determined the sizes do not depend on it.
+
+    Parameters
+    ----------
+    design : numpy.ndarray
+        Shape (terms, unknowns), the last p of them one for each equation.
+    p : int
+    logs : numpy.ndarray
+        Shape (K, terms); −∞ for what does not count.
+    """
+    counted = np.isfinite(logs)
+    logs = np.where(counted, logs, 0.0)
+    x = np.zeros((len(logs), design.shape[1]))
+    kinds, index = np.unique(counted, axis=0, return_inverse=True)
+    for k, kind in enumerate(kinds):
+        own = index.ravel() == k
+        x[own] = _fitted(design[kind], p, logs[own][:, kind])
+    return x
+
+
+def _fitted(design: NDArray[Any], p: int, logs: NDArray[Any]) -> NDArray[np.float64]:
+    """The same where every term counts."""
+    _, values, v = np.linalg.svd(design)
+    rank = int((values > 1e-9).sum())
+    free = v[rank:].T @ v[rank:]  # of what the terms leave open, nothing
+    x = -np.linalg.solve(design.T @ design + free, design.T @ logs.T).T
+    # No size above one to begin with: the exponentials stay small.
+    s = logs + x @ design.T
+    for k in range(p):
+        x[:, k - p] -= s[:, design[:, k - p] > 0.0].max(axis=1, initial=-np.inf)
+    x[~np.isfinite(x)] = 0.0  # equations without terms
+    rest = np.arange(len(logs))
+    for _ in range(MOST_STEPS):
+        s = logs[rest] + x[rest] @ design.T
+        large = np.exp(s)
+        matrices = (large @ _squares(design)).reshape(-1, *free.shape)
+        matrices += WEAK * design.T @ design + free
+        right = -(large - 1.0 + WEAK * s) @ design
+        step = np.linalg.solve(matrices, right[..., None])[..., 0]
+        change = step @ design.T
+        most = change.max(axis=1, initial=0.0)
+        x[rest] += step * np.minimum(1.0, 2.0 / np.maximum(most, 1.0))[:, None]
+        rest = rest[np.abs(change).max(axis=1, initial=0.0) > 1e-4]
+        if not len(rest):
+            break
+    return x
+
+
+def _squares(design: NDArray[Any]) -> NDArray[np.float64]:
+    """Products of each term's row with itself, one row for each term."""
+    return (design[:, :, None] * design[:, None, :]).reshape(len(design), design.shape[1] ** 2)

@@ -344,8 +344,6 @@ def _real(
         good &= (np.abs(rate.imag) < bound).all(axis=0)
         for m in sizes:
             good &= m.real > 0.0
-        # An amplitude that vanishes belongs to another set of amplitudes.
-        good &= (np.abs(plain) > 1e-12 * np.abs(plain).max(axis=0)).all(axis=0)
     b = (0.5 * (plain + barred.conj()) * scales[:p]).T
     return good, b, (rate.real * scales[p:]).T
 
