@@ -122,10 +122,16 @@ def _residual(
     return rates(flow, c, b) - 1j * (drift @ turns) * b, sizes
 
 
-def solves(flow: Flow, c: NDArray[Any], b: NDArray[Any], drift: NDArray[Any]) -> NDArray[np.bool_]:
-    """Where the rates, in the frame that drifts, vanish but for rounding."""
+def solves(
+    flow: Flow,
+    c: NDArray[Any],
+    b: NDArray[Any],
+    drift: NDArray[Any],
+    bound: float = RESIDUAL,
+) -> NDArray[np.bool_]:
+    """Where the rates, in the frame that drifts, vanish but for rounding, or a relative bound."""
     values, sizes = _residual(flow, c, b, drift)
-    return np.asarray((np.abs(values) <= RESIDUAL * sizes).all(axis=-1))
+    return np.asarray((np.abs(values) <= bound * sizes).all(axis=-1))
 
 
 def _newton(

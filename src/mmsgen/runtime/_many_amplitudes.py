@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._bounds import least_count
-from ._charts import chart, equations, normal, pack, polish, unpack
+from ._charts import Chart, chart, equations, normal, pack, polish, unpack
 from ._families import EXACT, backwards, conserved, selecting
 from ._flow import Flow, spectrum
 from ._paths import newton, solve, track
@@ -40,6 +40,10 @@ LEVELS = (1.0, 0.1, 10.0)
 LOST = 1e-3
 # An unknown that is smaller, over its scale, may vanish at the end of its path.
 TINY = 1e-9
+# An amplitude that is smaller, over its scale and the largest, vanishes if the others remain an
+# equilibrium without it, up to LEFT of its terms.
+NOTHING = 1e-12
+LEFT = 1e-9
 # Steps to a multiple equilibrium: from 1e-3, where paths to a triple one are lost, (2/3)^32 of that
 # is below the errors of 1e-5 there.
 SLOW = 32
@@ -235,6 +239,9 @@ def with_active(
                 x = pack(place, now, turns) - solve(matrices, f[..., None])[..., 0]
                 now, turns = unpack(place, x)
             now, turns = polish(place, own, now, turns)
+            other = _elsewhere(place, own, now, turns, scales[:, chosen // count].T)
+            which, now, turns = which[~other], now[~other], turns[~other]
+            own = own[~other]
             if steps == SLOW:
                 fresh = solves(place.flow, own, now, turns) & _fresh(found, which, now)
                 which, now, turns = which[fresh], now[fresh], turns[fresh]
@@ -247,6 +254,28 @@ def with_active(
     special.append((finite[:0], np.zeros((0, flow.n), complex), np.zeros((0, g))))
     rows, whole, drift = (np.concatenate(x) for x in zip(*special, strict=True))
     return rows, whole, drift
+
+
+def _elsewhere(
+    place: Chart,
+    c: NDArray[Any],
+    b: NDArray[Any],
+    turns: NDArray[Any],
+    scales: NDArray[np.float64],
+) -> NDArray[np.bool_]:
+    """Where amplitudes that vanish leave equilibria of a smaller set of amplitudes.
+
+    Amplitudes that others move do not vanish with their own: they can be as small as their cause.
+    """
+    size = np.abs(b) / scales[:, : b.shape[1]]
+    small = size <= NOTHING * size.max(axis=1, keepdims=True)
+    there, other = np.flatnonzero(small.any(axis=1)), np.zeros(len(b), dtype=bool)
+    sets = patterns(place.flow)
+    usual = [tuple(np.flatnonzero(~row).tolist()) in sets for row in small[there]]
+    there = there[np.array(usual, dtype=bool)]
+    rest = np.where(small, 0.0, b)[there]
+    other[there] = solves(place.flow, c[there], rest, turns[there], LEFT)
+    return other
 
 
 def _in_chart(place: Any, b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any]:
@@ -369,7 +398,7 @@ def arranged(
     rows, b, drift = rows[order], b[order], drift[order]
     keep = np.ones(len(rows), dtype=bool)
     if len(rows) > 1:
-        near = np.abs(np.diff(b, axis=0)).max(axis=-1) < 1e-9 * np.abs(b[1:]).max(axis=-1)
+        near = (np.abs(np.diff(b, axis=0)) <= 1e-9 * np.abs(b[1:])).all(axis=-1)
         keep[1:] = ~(near & (np.diff(rows) == 0))
     rows, b, drift = rows[keep], b[keep], drift[keep]
     first = np.searchsorted(rows, np.arange(len(flat)))
