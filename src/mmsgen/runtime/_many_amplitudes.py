@@ -15,13 +15,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._bounds import least_count
-from ._charts import Chart, chart, equations, normal, pack, polish, unpack
+from ._charts import chart, equations, normal, pack, polish, unpack
 from ._families import EXACT, backwards, conserved, selecting
 from ._flow import Flow, spectrum
-from ._paths import newton, solve, track
-from ._planes import on_planes, solves
+from ._paths import FAR, newton, solve, track
+from ._planes import elsewhere, on_planes, solves
 from ._records import Equilibria
-from ._starts import MOST, generic_solutions, too_many
+from ._starts import MOST, generic_solutions, other_generic, too_many
 from ._systems import System, equilibrium_system, patterns, scaled
 
 if TYPE_CHECKING:
@@ -38,12 +38,8 @@ EPS = 2.0**-52
 LEVELS = (1.0, 0.1, 10.0)
 # What is left of the way of a path that ends in a singular point or at infinity.
 LOST = 1e-3
-# An unknown that is smaller, over its scale, may vanish at the end of its path.
-TINY = 1e-9
-# An amplitude that is smaller, over its scale and the largest, vanishes if the others remain an
-# equilibrium without it, up to LEFT of its terms.
-NOTHING = 1e-12
-LEFT = 1e-9
+# The same of one that came to a halt on its way to a point that is nearly singular.
+STUCK = 1e-12
 # Steps to a multiple equilibrium: from 1e-3, where paths to a triple one are lost, (2/3)^32 of that
 # is below the errors of 1e-5 there.
 SLOW = 32
@@ -239,7 +235,7 @@ def with_active(
                 x = pack(place, now, turns) - solve(matrices, f[..., None])[..., 0]
                 now, turns = unpack(place, x)
             now, turns = polish(place, own, now, turns)
-            other = _elsewhere(place, own, now, turns, scales[:, chosen // count].T)
+            other = elsewhere(place, own, now, turns, scales[:, chosen // count].T)
             which, now, turns = which[~other], now[~other], turns[~other]
             own = own[~other]
             if steps == SLOW:
@@ -256,28 +252,6 @@ def with_active(
     return rows, whole, drift
 
 
-def _elsewhere(
-    place: Chart,
-    c: NDArray[Any],
-    b: NDArray[Any],
-    turns: NDArray[Any],
-    scales: NDArray[np.float64],
-) -> NDArray[np.bool_]:
-    """Where amplitudes that vanish leave equilibria of a smaller set of amplitudes.
-
-    Amplitudes that others move do not vanish with their own: they can be as small as their cause.
-    """
-    size = np.abs(b) / scales[:, : b.shape[1]]
-    small = size <= NOTHING * size.max(axis=1, keepdims=True)
-    there, other = np.flatnonzero(small.any(axis=1)), np.zeros(len(b), dtype=bool)
-    sets = patterns(place.flow)
-    usual = [tuple(np.flatnonzero(~row).tolist()) in sets for row in small[there]]
-    there = there[np.array(usual, dtype=bool)]
-    rest = np.where(small, 0.0, b)[there]
-    other[there] = solves(place.flow, c[there], rest, turns[there], LEFT)
-    return other
-
-
 def _in_chart(place: Any, b: NDArray[Any], rate: NDArray[Any]) -> tuple[Any, Any]:
     """Amplitudes with real pivots, and rates along the symmetries in echelon form."""
     if not place.pivots:
@@ -290,21 +264,24 @@ def ends(
 ) -> tuple[NDArray[Any], NDArray[np.float64], NDArray[Any]]:
     """Solutions at the ends of all paths, their conditions, and where other paths were lost.
 
-    NaN where there is none; of what is lost, those on which an unknown may vanish count.
+    NaN where there is none.
     """
     terms, logs, count, k = system.terms, system.logs, start.shape[1], target.shape[1]
     end = np.repeat(target, count, axis=1)
-    begin = np.broadcast_to(base, end.shape)
-    paths = track(terms, begin, end, np.tile(start, (1, k)), logs)
+    paths = track(terms, np.broadcast_to(base, end.shape), end, np.tile(start, (1, k)), logs)
     z, left = paths.z.copy(), paths.left.copy()
     for tolerance in (1e-5, 1e-7):
         astray = _twice(np.where(left == 0.0, z, np.nan), count, 1e-8) | (left > LOST)
-        again = np.flatnonzero(astray.reshape(k, count).any(axis=1))
+        stuck = (left > STUCK) & (np.abs(np.log(np.abs(z[:logs]))) < FAR).all(axis=0)
+        again = np.flatnonzero((astray | stuck).reshape(k, count).any(axis=1))
         if not len(again):
             break
+        # Along other ways.
+        base, start = other_generic(terms, system.d, logs) if tolerance > 1e-6 else (base, start)
         rows = (again[:, None] * count + np.arange(count)).ravel()
-        points = np.tile(start, (1, len(again)))
-        paths = track(terms, begin[:, rows], end[:, rows], points, logs, tolerance)
+        points, wanted = np.tile(start, (1, len(again))), end[:, rows]
+        begin = np.broadcast_to(base, wanted.shape)
+        paths = track(terms, begin, wanted, points, logs, tolerance)
         z[:, rows], left[rows] = paths.z, paths.left
     z[:, left > LOST] = np.nan
     heads = z
@@ -314,7 +291,7 @@ def ends(
     z[:, slow], last[slow], condition[slow] = newton(terms, end[:, slow], z[:, slow], logs, SLOW)
     settled = last < np.clip(10.0 * EPS * condition, 1e-6, 1e-4)
     z[:, ~(settled & np.isfinite(condition))] = np.nan
-    lost = np.where((np.abs(z[:logs]) >= TINY).all(axis=0), np.nan, heads)  # these for NaN
+    lost = np.where(np.isfinite(z).all(axis=0), np.nan, heads)
     return z, condition, lost
 
 

@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._charts import chart, normal, parts
+from ._charts import Chart, chart, normal, parts
 from ._flow import Flow, jacobian, rates
 from ._systems import System, patterns
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["on_planes", "solves"]
+__all__ = ["elsewhere", "on_planes", "solves"]
 
 EPS = 2.0**-52
 # An amplitude that its path has brought below this, over its scale, may vanish.
@@ -27,6 +27,10 @@ SMALL = 1e-3
 RESIDUAL = 64.0 * EPS
 # Singular values of the Jacobian below this, over the largest: the point is not isolated.
 SINGULAR = 1e-9
+# An amplitude that is smaller, over its scale and the largest, vanishes if the others remain an
+# equilibrium without it, up to LEFT of its terms.
+NOTHING = 1e-12
+LEFT = 1e-9
 
 Found = tuple[Any, Any, Any]
 
@@ -80,6 +84,28 @@ def on_planes(
             rest[cells] = normal(place, rest[cells])
             found.append((rows[chosen], rest[chosen], drift[chosen]))
     return found
+
+
+def elsewhere(
+    place: Chart,
+    c: NDArray[Any],
+    b: NDArray[Any],
+    turns: NDArray[Any],
+    scales: NDArray[np.float64],
+) -> NDArray[np.bool_]:
+    """Where amplitudes that vanish leave equilibria of a smaller set of amplitudes.
+
+    Amplitudes that others move do not vanish with their own: they can be as small as their cause.
+    """
+    size = np.abs(b) / scales[:, : b.shape[1]]
+    small = size <= NOTHING * size.max(axis=1, keepdims=True)
+    there, other = np.flatnonzero(small.any(axis=1)), np.zeros(len(b), dtype=bool)
+    sets = patterns(place.flow)
+    usual = [tuple(np.flatnonzero(~row).tolist()) in sets for row in small[there]]
+    there = there[np.array(usual, dtype=bool)]
+    rest = np.where(small, 0.0, b)[there]
+    other[there] = solves(place.flow, c[there], rest, turns[there], LEFT)
+    return other
 
 
 def _heading(

@@ -20,7 +20,7 @@ from ._paths import Terms, newton, track
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["MOST", "distinct", "generic_solutions", "too_many"]
+__all__ = ["MOST", "distinct", "generic_solutions", "other_generic", "too_many"]
 
 SEED = 20
 # Triangles of coefficients in a round, and rounds without a new solution after which there is
@@ -106,6 +106,20 @@ def generic_solutions(terms: Terms, d: int, logs: int) -> tuple[NDArray[Any], ND
             if z.shape[1] > MOST:
                 raise too_many(d, z.shape[1])
         idle = idle + 1 if z.shape[1] == known.shape[1] else 0
+    return base, z
+
+
+@lru_cache(maxsize=64)
+def other_generic(terms: Terms, d: int, logs: int) -> tuple[NDArray[Any], NDArray[Any]]:
+    """Other generic coefficients and their solutions, as for `generic_solutions`."""
+    base, z = generic_solutions(terms, d, logs)
+    random = np.random.default_rng(SEED + 1)
+    for _ in range(LOOPS):
+        other = _random(random, len(terms), 1)
+        begin, end = (np.broadcast_to(c, (len(terms), z.shape[1])) for c in (base, other))
+        paths = track(terms, begin, end, z, logs, 1e-5)
+        if (paths.left == 0.0).all() and distinct(paths.z, paths.z[:, :0]).shape == z.shape:
+            return other, paths.z
     return base, z
 
 
