@@ -2,9 +2,11 @@
 
 For each set of amplitudes that are not zero the equilibria solve a system of polynomials in B and
 B̄, independent of each other. All solutions of that system for generic complex coefficients are
-known (`_starts`); as the coefficients go along straight lines to those wanted, paths lead from
-them to every isolated solution (Morgan and Sommese, "Coefficient-parameter polynomial
-continuation", Appl. Math. Comput. 29, 1989). Real are those with B̄ = conj(B).
+known (`_starts`); as the coefficients go to those wanted, paths lead from them to every isolated
+solution (Morgan and Sommese, "Coefficient-parameter polynomial continuation", Appl. Math. Comput.
+29, 1989), along straight lines of the coefficients' logarithms. Those meet no coefficients for
+which solutions coincide, with probability one, and amplitudes of very different sizes are reached
+at an even speed. Real are those with B̄ = conj(B).
 """
 
 from __future__ import annotations
