@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, cast
 
+from .parameters import by_key
 from .runtime._records import Bifurcation
 
 if TYPE_CHECKING:
@@ -93,6 +94,6 @@ class CycleAnswers:
         from .limit_cycles import limit_cycles
 
         name = over if isinstance(over, str) else str(getattr(over, "name", over))
-        others = {k: v for k, v in values.items() if str(getattr(k, "name", k)) != name}
+        others = {key: v for key, v in by_key(values) if key != name}
         known = self._with_detunings({**others, name: hopf.parameter})
         return limit_cycles(cast("SlowFlow", self), known, hopf, name, ends, **options)

@@ -15,6 +15,8 @@ import numpy as np
 from . import orbits
 from .errors import MmsgenError, OrbitError
 from .motion import reconstruction
+from .numeric import finite_amplitudes, real_numbers
+from .parameters import by_key
 from .runtime._records import Branch, Response
 from .sampling import scaled_values
 from .steady import SteadyState, exact_orbit
@@ -97,12 +99,15 @@ def orbit_near(
     MmsgenError
         If there is not one amplitude for each coordinate; for wrong values.
     """
-    b = np.asarray(amplitudes, dtype=complex)
+    b = finite_amplitudes(amplitudes)
     if b.shape != (len(case.coordinates),):
         raise MmsgenError(
             f"{len(case.coordinates)} amplitudes are needed, got an array of shape {b.shape}"
         )
     known = case.slow_flow._with_detunings(values)
+    for name, v in known.items():
+        if np.ndim(v):
+            raise MmsgenError(f"{name} must be one number here, got an array of shape {v.shape}")
     slow, exact = scaled_values(case, {n: float(v) for n, v in known.items()}, 1.0)
     flow = case.slow_flow.table.flow
     symmetries = np.array(flow.symmetries, dtype=float).reshape(-1, flow.n)
@@ -153,7 +158,8 @@ def orbits_along(
         In the order along the branches; `plotting.frequency_response` takes them as ``points``.
     """
     found = []
-    given = {str(getattr(k, "name", k)): v for k, v in values.items() if np.ndim(v) == 0}
+    numbers = {name: real_numbers(name, v) for name, v in by_key(values)}
+    given = {name: v for name, v in numbers.items() if v.ndim == 0}
     for branch, places in zip(response.branches, _places(response, count, largest), strict=True):
         for k in places:
             here = float(branch.parameter[k])

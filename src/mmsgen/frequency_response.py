@@ -9,6 +9,8 @@ import numpy as np
 
 from .amplitude_flow import AmplitudeFlow
 from .errors import MmsgenError
+from .numeric import real_numbers
+from .parameters import by_key
 from .runtime._branches import response_of
 from .runtime._records import Response
 
@@ -62,7 +64,7 @@ def frequency_response(
         If another parameter is an array, or none is; as `AmplitudeFlow.numbers`; if the equilibria
         are not isolated.
     """
-    given = {_name(k): v for k, v in values.items()}
+    given = {name: real_numbers(name, value) for name, value in by_key(values)}
     name = _varied(given, over)
     if np.ndim(given[name]) != 1 or not np.size(given[name]):
         raise MmsgenError(f"{name} varies, so its value must be an array of one dimension")

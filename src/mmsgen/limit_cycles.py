@@ -21,6 +21,7 @@ import sympy as sp
 
 from . import orbits
 from .errors import OrbitError
+from .numeric import finite_amplitudes
 from .runtime._records import Bifurcation
 
 if TYPE_CHECKING:
@@ -73,8 +74,10 @@ class Form:
         ------
         OrbitError
             If there are not as many as coordinates, or one that the frame turns with is zero.
+        MmsgenError
+            If they are no finite numbers.
         """
-        b = np.atleast_1d(np.asarray(amplitudes, dtype=complex))
+        b = np.atleast_1d(finite_amplitudes(amplitudes))
         if b.shape != (self.count,):
             raise OrbitError(f"{self.count} amplitudes are needed, got an array of {b.shape}")
         if self.reference:
@@ -161,6 +164,11 @@ class LimitCycle:
     def verdict(self) -> str:
         """``"stable"``, ``"unstable"`` or ``"undecided"``."""
         return self.orbit.verdict
+
+    @property
+    def multipliers(self) -> Any:
+        """By which disturbances are multiplied in one period, complex; one of them is 1."""
+        return self.orbit.multipliers
 
     def amplitudes(self, times: Any) -> Any:
         """B_j at times, shape (n, …), in the autonomous frame.
@@ -257,6 +265,8 @@ def limit_cycle(
             "motion ends on a limit cycle, since periodic ones come in families, each with the "
             "size that it began with; mg.orbits.find(…, isolated=False) finds one of them"
         )
+    if time is not None and not (np.isscalar(time) and np.isreal(time) and 0 < time < np.inf):
+        raise OrbitError(f"the time must be a positive number, got {time!r}")
     if time is None:
         rates = np.linalg.eigvals(problem.rates(np.zeros(1), state[:, None])[1][0])
         time = TURNS * 2 * np.pi / float(np.abs(rates).max())

@@ -13,6 +13,7 @@ from .errors import ExpansionError, MmsgenError
 from .initial_values import BeatingFormula, beating, beating_formulas, evolution
 from .linear_flow import LinearFlow, linear_flow
 from .numeric import compiled
+from .parameters import by_key
 from .runtime._beating import Beating
 from .series import Series
 from .uniform_numbers import integrated
@@ -148,7 +149,7 @@ class LinearAnswers:
     def _with_detunings(self, values: Mapping[Any, Any]) -> dict[str, Any]:
         """Values with σ = lhs − rhs of its relation where that can be told."""
         table = self.case.numbers(values)
-        given = {str(getattr(k, "name", k)) for k in values}
+        given = {name for name, _ in by_key(values)}
         for r in self.case.relations:
             symbols = tuple(sorted((r.lhs - r.rhs).free_symbols, key=str))
             names = [str(s.name) for s in symbols]
@@ -216,7 +217,7 @@ class LinearAnswers:
     def _without_first(self, values: Mapping[Any, Any]) -> dict[str, Any]:
         """Values with the detunings after the first one, which is what is looked for."""
         first = {str(r.detuning.name) for r in self.case.relations[:1]}
-        others = {k: v for k, v in values.items() if str(getattr(k, "name", k)) not in first}
+        others = {name: v for name, v in by_key(values) if name not in first}
         table = self._with_detunings(others)
         return {name: v for name, v in table.items() if name not in first}
 

@@ -3,20 +3,87 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from decimal import Decimal
 from functools import lru_cache
+from numbers import Real
 from typing import Any
 
 import numpy as np
 import sympy as sp
 
 from .errors import MmsgenError
-from .parameters import Parameter, by_name
+from .parameters import Parameter, by_key, by_name
 from .runtime._runtime import refuse_masked
 
-__all__ = ["Evaluator", "compiled", "named_values"]
+__all__ = ["Evaluator", "compiled", "finite_amplitudes", "named_values", "real_numbers"]
 
 LONGEST = 200
 """Terms of a sum in compiled code."""
+
+
+def real_numbers(name: str, value: Any) -> Any:
+    """A value as an array of floats: Python's numbers, NumPy's and SymPy's.
+
+    Parameters
+    ----------
+    name : str
+        Of the parameter.
+    value : array_like
+        Fractions, decimals and exact numbers of SymPy among them.
+
+    Raises
+    ------
+    MmsgenError
+        If a number is not real and finite, or none at all.
+    """
+    try:
+        refuse_masked(name, value)
+    except ValueError as error:
+        raise MmsgenError(str(error)) from None
+    try:
+        number = np.asarray(value)
+    except ValueError:
+        number = np.asarray(None)  # ragged
+    if number.dtype == object:
+        floats = [_real(name, x) for x in number.ravel()]
+        number = np.array(floats, dtype=float).reshape(number.shape)
+    if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
+        raise MmsgenError(f"the value of {name} must be real and finite, got {value!r}")
+    return number.astype(float)
+
+
+def finite_amplitudes(amplitudes: Any) -> Any:
+    """Amplitudes B_j as complex numbers.
+
+    Raises
+    ------
+    MmsgenError
+        If one is no finite number.
+    """
+    try:
+        refuse_masked("the array of amplitudes", amplitudes)
+        b = np.asarray(amplitudes)
+    except ValueError as error:
+        raise MmsgenError(f"amplitudes must be finite complex numbers: {error}") from None
+    if b.dtype.kind not in "iufc" or not np.isfinite(b).all():
+        raise MmsgenError(f"amplitudes must be finite complex numbers, got {amplitudes!r}")
+    return b.astype(complex)
+
+
+def _real(name: str, value: Any) -> float:
+    """One number that NumPy does not know; NaN if it is none."""
+    if isinstance(value, sp.Basic) and value.free_symbols:
+        raise MmsgenError(
+            f"the value of {name} must be a number, got the expression {value}: put numbers in for "
+            f"{', '.join(sorted(map(str, value.free_symbols)))}"
+        )
+    known = isinstance(value, Real | Decimal) and not isinstance(value, bool)
+    if not known and not (isinstance(value, sp.Expr) and value.is_extended_real):
+        return np.nan
+    try:
+        return float(value)
+    except (TypeError, ValueError, OverflowError):
+        return np.nan
 
 
 def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> dict[str, Any]:
@@ -36,28 +103,16 @@ def named_values(parameters: Sequence[Parameter], values: Mapping[Any, Any]) -> 
     Raises
     ------
     MmsgenError
-        If a value is given for an unknown parameter, twice, is not a finite real number or has a
-        sign that its symbol excludes, or if their shapes do not broadcast.
+        If the values are no mapping; if one is given for an unknown parameter, twice, is not a
+        finite real number or has a sign that its symbol excludes; or if their shapes do not
+        broadcast.
     """
     known = by_name(parameters)
     table: dict[str, Any] = {}
-    for key, value in values.items():
-        name = key if isinstance(key, str) else str(getattr(key, "name", key))
+    for name, value in by_key(values):
         if name not in known:
             raise MmsgenError(f"{name} is not a parameter here; known are {', '.join(known)}")
-        if name in table:
-            raise MmsgenError(f"a value for {name} is given twice")
-        try:
-            refuse_masked(name, value)
-        except ValueError as error:
-            raise MmsgenError(str(error)) from None
-        try:
-            number = np.asarray(value)
-        except ValueError:
-            number = np.asarray(None)  # ragged
-        if number.dtype.kind not in "iuf" or not np.all(np.isfinite(number)):
-            raise MmsgenError(f"the value of {name} must be real and finite, got {value!r}")
-        table[name] = number.astype(float)
+        table[name] = real_numbers(name, value)
         _check_domain(known[name], table[name])
     _check_shapes(table)
     pending = {p.name: p.definition for p in parameters if p.definition and p.name not in table}

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import sympy as sp
 
-from .errors import ModelError
+from .errors import MmsgenError, ModelError
 
-__all__ = ["Parameter", "by_name"]
+__all__ = ["Parameter", "by_key", "by_name"]
 
 
 @dataclass(frozen=True)
@@ -80,3 +81,29 @@ def by_name(parameters: Iterable[Parameter]) -> dict[str, Parameter]:
             raise ModelError(f"two parameters are called {parameter.name!r}: rename one of them")
         table[parameter.name] = parameter
     return table
+
+
+def by_key(values: Mapping[Any, Any]) -> list[tuple[str, Any]]:
+    """The pairs of name and value that a user passes.
+
+    Parameters
+    ----------
+    values : mapping
+        Symbol or name → anything.
+
+    Raises
+    ------
+    MmsgenError
+        If it is no mapping, or a name occurs twice.
+    """
+    if not isinstance(values, Mapping):
+        raise MmsgenError(
+            "values must be a mapping, {symbol or name: number or array}, got "
+            f"{type(values).__name__} {str(values)[:40]}"
+        )
+    found = [(str(getattr(key, "name", key)), value) for key, value in values.items()]
+    names = [name for name, _ in found]
+    for name in names:
+        if names.count(name) > 1:
+            raise MmsgenError(f"a value for {name} is given twice, by symbol and by name")
+    return found

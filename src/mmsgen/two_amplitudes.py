@@ -22,6 +22,7 @@ from flint import fmpq_mpoly
 
 from .errors import ExpansionError, MmsgenError
 from .exact_polynomials import primitive
+from .parameters import by_key
 from .phase_elimination import Algebra, check_size, equations, without_phases
 from .runtime._many_amplitudes import ends
 from .runtime._starts import generic_solutions
@@ -222,8 +223,7 @@ def two_amplitudes(flow: SlowFlow, values: Mapping[Any, Any] | None) -> TwoAmpli
 def _rational(values: Mapping[Any, Any], known: Iterable[sp.Symbol]) -> dict[sp.Symbol, sp.Expr]:
     """Values by symbol, decimal fractions as they are written."""
     table, found = {s.name: s for s in known}, {}
-    for key, value in values.items():
-        name = key if isinstance(key, str) else str(getattr(key, "name", key))
+    for name, value in by_key(values):
         if name not in table:
             raise MmsgenError(f"{name} is none of the parameters {', '.join(table)}")
         number = sp.Rational(str(value)) if isinstance(value, float) else sp.sympify(value)

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import FloquetError
+from ..parameters import by_key
 from .exponents import Period, growth
 from .points import Floats, Values
 from .problem import Options, prepare
@@ -94,7 +95,7 @@ def chart(
     """
     x_name, x_values = _axis("x", x)
     y_name, y_values = _axis("y", y)
-    others = {str(getattr(key, "name", key)): value for key, value in values.items()}
+    others = dict(by_key(values))
     for name in (x_name, y_name):
         if name in others or x_name == y_name:
             raise FloquetError(f"{name!r} is given twice: each parameter is an axis or a value")

@@ -19,6 +19,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ..errors import FloquetError
+from ..parameters import by_key
 from .exponents import Period, growth
 from .points import Floats, Values
 from .problem import Options, prepare
@@ -143,12 +144,12 @@ def boundary(
 def _fixed(values: Values, parameter: Any, points: int) -> tuple[str, dict[str, Any]]:
     """The name of the parameter that is varied, and the values of the others."""
     name = str(getattr(parameter, "name", parameter))
-    others = {str(getattr(key, "name", key)): value for key, value in values.items()}
+    others = dict(by_key(values))
     if points < 3:
         raise FloquetError(f"a scan needs at least 3 points, got {points!r}")
     if name in others:
         raise FloquetError(f"{name!r} is varied over the interval: take it out of `values`")
-    if any(np.ndim(value) for value in others.values()):
+    if any(np.ndim(np.array(value, dtype=object)) for value in others.values()):
         raise FloquetError("boundary varies one parameter: the other values must be scalars")
     return name, others
 

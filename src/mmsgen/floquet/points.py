@@ -105,11 +105,13 @@ def _checked(name: str, value: object, symbol: sp.Symbol) -> Floats:
         if raw.dtype.kind in "USb":  # NumPy would read the text "1" as a number
             raise TypeError
         if raw.dtype == object:
+            if any(isinstance(x, bool) for x in raw.ravel()):
+                raise TypeError
             raw = np.array([float(x) for x in raw.ravel()]).reshape(raw.shape)
         if np.iscomplexobj(raw):
             raise TypeError
         array = raw.astype(np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         raise FloquetError(
             f"the value of {name!r} is not a real number or an array of them: {value!r}"
         ) from None

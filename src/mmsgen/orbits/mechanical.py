@@ -20,6 +20,7 @@ from ..errors import FloquetError, OrbitError
 from ..floquet.period import Periodicity, find_periodicity
 from ..floquet.points import Floats
 from ..numeric import named_values
+from ..parameters import by_key
 from .fields import Problem, lambdified, table
 
 if TYPE_CHECKING:
@@ -143,7 +144,7 @@ def problem(
     MmsgenError
         If a value is unknown or unusable.
     """
-    given = {str(getattr(key, "name", key)) for key in values}
+    given = {name for name, _ in by_key(values)}
     known = named_values(eom.parameters, values)
     for name, value in known.items():
         if np.ndim(value):
