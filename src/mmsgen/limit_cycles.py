@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -265,7 +266,7 @@ def limit_cycle(
             "motion ends on a limit cycle, since periodic ones come in families, each with the "
             "size that it began with; mg.orbits.find(…, isolated=False) finds one of them"
         )
-    if time is not None and not (np.isscalar(time) and np.isreal(time) and 0 < time < np.inf):
+    if time is not None and not (isinstance(time, Real) and 0 < time < np.inf):
         raise OrbitError(f"the time must be a positive number, got {time!r}")
     if time is None:
         rates = np.linalg.eigvals(problem.rates(np.zeros(1), state[:, None])[1][0])

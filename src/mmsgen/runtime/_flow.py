@@ -14,6 +14,7 @@ equilibrium then belongs to a circle of them, and may drift along it, B_j e^{i k
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -21,7 +22,7 @@ import numpy as np
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-__all__ = ["Flow", "in_order", "jacobian", "rates", "spectrum", "wirtinger"]
+__all__ = ["Flow", "jacobian", "largest_first", "neutral", "rates", "spectrum", "wirtinger"]
 
 
 class Flow(NamedTuple):
@@ -164,50 +165,90 @@ def spectrum(
     """
     matrices = jacobian(flow, coefficients, amplitudes, drift)
     finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
-    values = np.linalg.eigvals(np.where(finite[..., None, None], matrices, 0.0)).astype(complex)
+    matrices = np.where(finite[..., None, None], matrices, 0.0)
+    if flow.symmetries:
+        size = 2 * flow.n
+        flat = matrices.reshape(-1, size, size)
+        found = np.full((len(flat), size), complex(np.nan, np.nan))
+        for rows, frames, m in neutral(flow, amplitudes, finite.shape):
+            across = frames[..., m:]
+            own = across.swapaxes(-1, -2) @ flat[rows] @ across
+            found[rows, : size - m] = np.linalg.eigvals(own)
+        values = found.reshape(*finite.shape, size)
+    else:
+        values = np.linalg.eigvals(matrices).astype(complex)
     values = np.where(finite[..., None], values, complex(np.nan, np.nan))
-    order, kept = in_order(flow, values, amplitudes)
-    values = np.where(kept, np.take_along_axis(values, order, axis=-1), complex(np.nan, np.nan))
-    return values
+    return np.take_along_axis(values, largest_first(values), axis=-1)
 
 
-def in_order(
-    flow: Flow, values: NDArray[np.complex128], amplitudes: Any
-) -> tuple[NDArray[np.int64], NDArray[np.bool_]]:
-    """How eigenvalues are sorted by `spectrum`, and which places are theirs.
+def largest_first(values: NDArray[np.complex128]) -> NDArray[np.int64]:
+    """Indices along the last axis by which eigenvalues are sorted; NaN comes last.
+
+    Of two with the same real part that one comes first that LAPACK gives first.
+    """
+    return np.argsort(-values.real, axis=-1, kind="stable")
+
+
+def neutral(
+    flow: Flow, amplitudes: Any, shape: tuple[int, ...]
+) -> Iterator[tuple[NDArray[np.intp], NDArray[np.float64], int]]:
+    """The directions along circles of equilibria, i k_j B_j, and their complement.
+
+    The Jacobian takes these directions to zero, so that it is block triangular with them, and the
+    other eigenvalues are those on the complement. Where a circle turns by much faster than it
+    attracts, a zero that is left in the matrix would take half of all digits from the others.
 
     Parameters
     ----------
-    flow, amplitudes
-        As for `spectrum`.
-    values : numpy.ndarray
-        All eigenvalues, shape (..., 2n), NaN where they are unknown.
+    flow : Flow
+    amplitudes : array_like
+        Shape (..., n).
+    shape : tuple of int
+        To which they are broadcast, without the last axis.
 
-    Returns
-    -------
-    order : numpy.ndarray
-        Indices along the last axis: the largest real part first, those that symmetries make zero
-        at the end.
-    kept : numpy.ndarray
-        False at the places of the latter.
+    Yields
+    ------
+    rows : numpy.ndarray
+        Points in a row.
+    frames : numpy.ndarray
+        Shape (rows, 2n, 2n), orthogonal: in the first m columns the directions.
+    m : int
+        How many symmetries move these points.
     """
-    rank = -values.real
-    left_out: Any = 0
-    if flow.symmetries:
-        left_out = np.broadcast_to(_moved(flow, amplitudes), values.shape[:-1])[..., None]
-        small = np.argsort(np.argsort(np.abs(values), axis=-1), axis=-1)
-        rank = np.where(small < left_out, np.inf, rank)
-    kept = np.arange(2 * flow.n) < 2 * flow.n - left_out
-    # Of two with the same real part that one comes first that LAPACK gives first; NaN comes last.
-    order = np.argsort(rank, axis=-1, kind="stable")
-    return order, np.broadcast_to(kept, values.shape)
+    b = np.broadcast_to(np.asarray(amplitudes, dtype=np.complex128), (*shape, flow.n))
+    b, unit = b.reshape(-1, flow.n), np.eye(2 * flow.n)
+    if not flow.symmetries:
+        yield np.arange(len(b)), np.broadcast_to(unit, (len(b), *unit.shape)), 0
+        return
+    size = np.where(np.abs(b) > 0.0, np.abs(b), 0.0)  # zero for NaN
+    order = np.argsort(-size, axis=-1, kind="stable")
+    kinds, index = np.unique(
+        np.concatenate([size > 0.0, order], axis=-1), axis=0, return_inverse=True
+    )
+    for number, kind in enumerate(kinds):
+        rows = np.flatnonzero(index.ravel() == number)
+        turns, pivots = _directions(flow, kind[: flow.n], kind[flow.n :])
+        m = len(pivots)
+        if not m:
+            yield rows, np.broadcast_to(unit, (len(rows), *unit.shape)), 0
+            continue
+        # over the amplitude that leads, which is the largest one: these are independent
+        moved = turns * b[rows, np.newaxis] / size[rows][:, pivots, np.newaxis]
+        along = np.stack([-moved.imag, moved.real], axis=-1).reshape(-1, m, 2 * flow.n)
+        yield rows, np.linalg.qr(along.swapaxes(-1, -2), mode="complete")[0], m
 
 
-def _moved(flow: Flow, amplitudes: Any) -> NDArray[np.int64]:
-    """How many independent symmetries move each point: the rank of k over amplitudes not zero."""
-    b = np.asarray(amplitudes)
-    active: NDArray[np.bool_] = np.zeros(b.shape, dtype=bool)
-    np.greater(np.abs(b), 0.0, out=active)  # false for NaN
-    patterns, index = np.unique(active.reshape(-1, flow.n), axis=0, return_inverse=True)
-    ranks = [np.linalg.matrix_rank(np.array(flow.symmetries) * p) for p in patterns]
-    return np.array(ranks, dtype=np.int64)[index.ravel()].reshape(b.shape[:-1])
+def _directions(
+    flow: Flow, active: NDArray[Any], order: NDArray[Any]
+) -> tuple[NDArray[np.float64], list[int]]:
+    """Combinations of the symmetries that move a point, each with an amplitude of its own.
+
+    Returns the multiples k, one row for each, and the amplitude that moves in this row alone: the
+    largest ones that serve, so that no larger one moves with it.
+    """
+    k = np.array(flow.symmetries, dtype=np.float64) * active
+    pivots: list[int] = []
+    for j in map(int, order):
+        if np.linalg.matrix_rank(k[:, [*pivots, j]]) > len(pivots):
+            pivots.append(j)
+    return np.linalg.pinv(k[:, pivots]) @ k if pivots else k[:0], pivots

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from ._dual import array_slopes
-from ._flow import Flow, in_order, jacobian, rates, wirtinger
+from ._flow import Flow, jacobian, largest_first, neutral, rates, wirtinger
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -203,18 +203,41 @@ def eigenvalue_slopes(
     slopes : numpy.ndarray
         Shape (parameters, ..., 2n); NaN where eigenvalues meet, unless each keeps its eigenvector.
     """
+    size, shape = 2 * flow.n, matrices.shape[:-2]
     finite = np.asarray(np.isfinite(matrices).all(axis=(-2, -1)))
-    values, right = np.linalg.eig(np.where(finite[..., None, None], matrices, 0.0))
-    values = np.where(finite[..., None], values.astype(complex), np.nan)
-    left = _inverse(right.astype(complex))
-    slopes = np.einsum("...ai,...ia->...a", left, changes @ right)
+    flat = np.where(finite[..., None, None], matrices, 0.0).reshape(-1, size, size)
+    moved = np.broadcast_to(changes, (len(changes), *matrices.shape)).reshape(-1, *flat.shape)
+    values = np.full((len(flat), size), complex(np.nan, np.nan))
+    slopes = np.full((len(changes), len(flat), size), complex(np.nan, np.nan))
+    for rows, frames, m in neutral(flow, amplitudes, shape):
+        found = _eigenvalue_slopes(flat[rows], moved[:, rows], frames, m)
+        values[rows, : size - m], slopes[:, rows, : size - m] = found
+    values = np.where(finite[..., None], values.reshape(*shape, size), np.nan)
+    slopes = np.where(finite[..., None], slopes.reshape(-1, *shape, size), np.nan)
+    order = largest_first(values)
+    values = np.take_along_axis(values, order, axis=-1)
+    return values, np.take_along_axis(slopes, np.broadcast_to(order, slopes.shape), axis=-1)
+
+
+def _eigenvalue_slopes(
+    matrices: NDArray[Any], changes: NDArray[Any], frames: NDArray[Any], m: int
+) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """The same for the eigenvalues that belong to the last columns of orthogonal frames.
+
+    To the first m columns the matrix gives zero: left eigenvectors do not contain them.
+    """
+    turned = frames.swapaxes(-1, -2) @ matrices @ frames
+    values, right = np.linalg.eig(turned[..., m:, m:])
+    values, right = values.astype(complex), right.astype(complex)
+    left = _inverse(right)
     # How many digits of the matrix an eigenvalue loses.
     skew = np.linalg.norm(left, axis=-1) * np.linalg.norm(right, axis=-2)
-    slopes = np.where(finite[..., None] & (skew * EPS**0.5 < 1.0), slopes, np.nan)
-    order, kept = in_order(flow, values, amplitudes)
-    values = np.where(kept, np.take_along_axis(values, order, axis=-1), np.nan)
-    order = np.broadcast_to(order, slopes.shape)
-    return values, np.where(kept, np.take_along_axis(slopes, order, axis=-1), np.nan)
+    along = turned[..., :m, m:] @ right / values[..., None, :]
+    right = frames @ np.concatenate([along, right], axis=-2)
+    left = left @ frames[..., m:].swapaxes(-1, -2)
+    slopes = np.einsum("...ai,...ia->...a", left, changes @ right)
+    known = (skew * EPS**0.5 < 1.0) & np.isfinite(right).all(axis=-2)
+    return values, np.where(known, slopes, np.nan)
 
 
 # --- the equations of an equilibrium --------------------------------------------------------------
