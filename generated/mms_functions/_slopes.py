@@ -100,7 +100,9 @@ def slopes_of(
         n = flow.n
         speed, turn = in_parts(flow, moved)
         change = jacobian_slopes(flow, dc, amplitudes, turn) + carried(flow, c, amplitudes, speed)
-        growth = eigenvalue_slopes(flow, matrix[..., : 2 * n, : 2 * n], change, amplitudes)[1]
+        growth = eigenvalue_slopes(
+            flow, matrix[..., : 2 * n, : 2 * n], change, amplitudes, held=False
+        )[1]
     each = zip(speed, turn, growth[..., 0].real, strict=True)
     return {name: Slopes(*own) for name, own in zip(names, each, strict=True)}
 
@@ -182,7 +184,12 @@ def _lifted(flow: Flow) -> tuple[Flow, tuple[int, ...], tuple[float, ...]]:
 
 
 def eigenvalue_slopes(
-    flow: Flow, matrices: NDArray[Any], changes: NDArray[Any], amplitudes: NDArray[Any]
+    flow: Flow,
+    matrices: NDArray[Any],
+    changes: NDArray[Any],
+    amplitudes: NDArray[Any],
+    *,
+    held: bool,
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Eigenvalues of Jacobians, and their derivatives.
 
@@ -195,6 +202,9 @@ def eigenvalue_slopes(
         Shape (parameters, ..., 2n, 2n).
     amplitudes : numpy.ndarray
         Shape (..., n).
+    held : bool
+        Whether the amplitudes are fixed; otherwise they are those of an equilibrium, and move with
+        it as `changes` say.
 
     Returns
     -------
@@ -210,7 +220,7 @@ def eigenvalue_slopes(
     values = np.full((len(flat), size), complex(np.nan, np.nan))
     slopes = np.full((len(changes), len(flat), size), complex(np.nan, np.nan))
     for rows, frames, m in neutral(flow, amplitudes, shape):
-        found = _eigenvalue_slopes(flat[rows], moved[:, rows], frames, m)
+        found = _eigenvalue_slopes(flat[rows], moved[:, rows], frames, m, held)
         values[rows, : size - m], slopes[:, rows, : size - m] = found
     values = np.where(finite[..., None], values.reshape(*shape, size), np.nan)
     slopes = np.where(finite[..., None], slopes.reshape(-1, *shape, size), np.nan)
@@ -220,11 +230,12 @@ def eigenvalue_slopes(
 
 
 def _eigenvalue_slopes(
-    matrices: NDArray[Any], changes: NDArray[Any], frames: NDArray[Any], m: int
+    matrices: NDArray[Any], changes: NDArray[Any], frames: NDArray[Any], m: int, held: bool
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """The same for the eigenvalues that belong to the last columns of orthogonal frames.
 
-    To the first m columns the matrix gives zero: left eigenvectors do not contain them.
+    The matrix takes the first m columns to zero: left eigenvectors do not contain them. Right ones
+    do, and so do the slopes where these columns turn with the equilibrium.
     """
     turned = frames.swapaxes(-1, -2) @ matrices @ frames
     values, right = np.linalg.eig(turned[..., m:, m:])
@@ -232,7 +243,8 @@ def _eigenvalue_slopes(
     left = _inverse(right)
     # How many digits of the matrix an eigenvalue loses.
     skew = np.linalg.norm(left, axis=-1) * np.linalg.norm(right, axis=-2)
-    along = turned[..., :m, m:] @ right / values[..., None, :]
+    along = 0.0 if held else 1.0 / values[..., None, :]
+    along = turned[..., :m, m:] @ right * along
     right = frames @ np.concatenate([along, right], axis=-2)
     left = left @ frames[..., m:].swapaxes(-1, -2)
     slopes = np.einsum("...ai,...ia->...a", left, changes @ right)

@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 from nonlinear_systems import CASES, ISOLATED, NUMBERS, functions, points, values
 
+from mmsgen.runtime._flow import Flow
+from mmsgen.runtime._slopes import eigenvalue_slopes
+
 # --- equilibria --------------------------------------------------------------------------------
 
 
@@ -127,11 +130,19 @@ def test_derivatives_at_given_amplitudes(name: str, function: str) -> None:
 
 
 def test_where_eigenvalues_meet_there_is_no_derivative() -> None:
-    """Both of a free motion without damping are zero, with one eigenvector."""
+    """Without damping the phase of a free motion goes with its circle, and its radius stays."""
     given = {"alpha": 0.3, "omega": 1.3}
     module = functions("free1")
-    assert np.isnan(module.stability([0.5], **given, gradient=True)[1]["alpha"]).all()
+    values, slopes = module.stability([0.5], **given, gradient=True)
+    assert values[0] == slopes["alpha"][0] == 0.0
+    assert np.isnan([values[1], slopes["alpha"][1]]).all()
     assert np.isfinite(module.jacobian([0.5], **given, gradient=True)[1]["alpha"]).all()
+    # At rest nothing goes round, and both have one real part.
+    matrices = np.array([[1.0, 2.0], [0.0, 1.0]])
+    flow = Flow(1, ((0, (1, 0, 0)),))
+    change = np.ones((1, 2, 2))
+    slopes = eigenvalue_slopes(flow, matrices, change, np.array([0.5]), held=True)[1]
+    assert np.isnan(slopes).all()
 
 
 def test_parameters_broadcast_with_amplitudes() -> None:

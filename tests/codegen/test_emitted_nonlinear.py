@@ -26,9 +26,7 @@ def test_within_the_bound_of_the_running_error_analysis(name: str) -> None:
                     continue
                 off = abs(mpmath.mpmathify(got) - value)
                 assert off <= error, (function, arguments, got)
-    assert {"slow_flow", "response", "jacobian"} <= functions_seen
-    # Of free motions several eigenvalues are zero, or at any amplitudes none of them.
-    assert ("stability" in functions_seen) == (not name.startswith("free") and name != "pair")
+    assert {"slow_flow", "response", "jacobian", "stability"} <= functions_seen
     assert ("equilibria" in functions_seen) == (name in ISOLATED)
 
 

@@ -10,8 +10,9 @@ scales through order 2 in ε, of x, y. Results are written at ε = 1.
 Stability depends: the discriminant of Gamma**2 - I*Gamma*sigma - f_12*f_21/(4*omega_1*omega_2) is
 positive in an interval of the detuning if 4*f_12*f_21/(omega_1*omega_2) > 0.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: omega_1 - omega_2.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: omega_1 - omega_2.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5
 """

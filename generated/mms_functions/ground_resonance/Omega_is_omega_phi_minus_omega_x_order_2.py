@@ -11,9 +11,10 @@ It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
 omega_x**3*r_b*r_m/(4*omega_phi) is negative at every detuning, the modes only exchange energy; one
 mode turns without growing.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: -2*omega_phi + omega_x + omega_y, -2*omega_phi +
-omega_x - omega_y, -omega_phi + omega_x, omega_x - omega_y.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: -2*omega_phi + omega_x + omega_y, -2*omega_phi + omega_x -
+omega_y, -omega_phi + omega_x, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

@@ -10,9 +10,9 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 It can be unstable: the discriminant of Gamma**2 - I*Gamma*sigma - omega_x**3*r_b*r_m/(4*omega_phi)
 is positive in an interval of the detuning.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: 2*omega_phi + omega_x - omega_y, omega_x -
-omega_y.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: 2*omega_phi + omega_x - omega_y, omega_x - omega_y.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

@@ -10,9 +10,10 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 It cannot be unstable: the discriminant of a factor of degree 2 in Gamma is negative at every
 detuning, the modes only exchange energy; one mode turns without growing.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: Omega + omega_phi - omega_x, Omega - omega_phi +
-omega_x, Omega - omega_phi - omega_x.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: Omega + omega_phi - omega_x, Omega - omega_phi + omega_x, Omega -
+omega_phi - omega_x.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003
 """

@@ -8,9 +8,10 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 
 Stability depends: the slow flow is nonlinear or forced: its equilibria decide.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: -omega_phi + 2*omega_x, -omega_phi + omega_x +
-omega_y, -omega_phi + omega_x - omega_y, omega_phi + omega_x - omega_y.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: -omega_phi + 2*omega_x, -omega_phi + omega_x + omega_y,
+-omega_phi + omega_x - omega_y, omega_phi + omega_x - omega_y.
 
 No boundaries are emitted: the slow flow is nonlinear or forced.
 

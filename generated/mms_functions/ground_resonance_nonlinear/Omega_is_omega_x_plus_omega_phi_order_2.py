@@ -9,9 +9,6 @@ scales through order 2 in ε, of x, y, phi_1, phi_2, phi_3, phi_4. Results are w
 
 Stability depends: the slow flow is nonlinear or forced: its equilibria decide.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: pi.
-
 No boundaries are emitted: the slow flow is nonlinear or forced.
 
 Source: Sanches, Michon, Berlioz and Alazard (2014), doi 10.1016/j.ijnonlinmec.2014.04.003

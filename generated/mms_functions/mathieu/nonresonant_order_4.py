@@ -9,8 +9,9 @@ scales through order 4 in ε, of x. Results are written at ε = 1.
 
 It cannot be unstable: one mode decays at the rate mu.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: -Omega + 2*omega, -Omega + omega.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: -Omega + 2*omega, -Omega + omega.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; NIST DLMF, section 28.6
 """

@@ -11,9 +11,9 @@ It cannot be unstable: the discriminant of Gamma**2 + I*Gamma*sigma +
 Phi_alpha_1**2*Phi_alpha_2**2*kappa**2/(16*omega_1*omega_2) is negative at every detuning, the modes
 only exchange energy.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: 3*omega_1 - omega_2, omega_1 - 3*omega_2,
-omega_1 - omega_2.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: 3*omega_1 - omega_2, omega_1 - 3*omega_2, omega_1 - omega_2.
 
 Source: Nayfeh and Mook, Nonlinear Oscillations (1979), chapter 5; gyroscopic modes after
 Meirovitch, AIAA Journal 12 (1974)

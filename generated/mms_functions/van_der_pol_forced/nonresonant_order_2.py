@@ -8,8 +8,9 @@ scales through order 2 in ε, of u. Results are written at ε = 1.
 
 Stability depends: the slow flow is nonlinear or forced: its equilibria decide.
 
-No number, NaN for growth rates, edges, equilibria and their stability, where a divisor vanishes,
-which is a further resonance and a case of its own: -Omega + 3*omega_0, -Omega + omega_0.
+NaN comes from formulas in which a divisor vanishes: growth rates, edges, equilibria, stability. One
+that does not contain it stays finite there; but it is a further resonance, which this case knows
+nothing of, and a case of its own: -Omega + 3*omega_0, -Omega + omega_0.
 
 No boundaries are emitted: the slow flow is nonlinear or forced.
 

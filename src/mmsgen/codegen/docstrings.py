@@ -72,8 +72,9 @@ def module_docstring(setting: Setting, model: str, source: str) -> str:
     if setting.poles:
         parts.append(
             paragraph(
-                "No number, NaN for growth rates, edges, equilibria and their stability, where a "
-                "divisor vanishes, which is a further resonance and a case of its own: "
+                "NaN comes from formulas in which a divisor vanishes: growth rates, edges, "
+                "equilibria, stability. One that does not contain it stays finite there; but it is "
+                "a further resonance, which this case knows nothing of, and a case of its own: "
                 f"{', '.join(setting.poles)}.",
                 0,
             )

@@ -201,8 +201,7 @@ def _entry_errors(flow: ExactFlow, b: Sequence[Any], shift: Any = 0, rate: Any =
 def eigenvalues(flow: ExactFlow, b: Sequence[Any]) -> tuple[_Numbers, _Numbers] | None:
     """Those of the Jacobian at given amplitudes, as `stability` sorts them.
 
-    None where two of them meet; and where a pair comes nearest to zero: away from equilibria, none
-    of them is that of a symmetry.
+    None where two of them meet.
     """
     return _sorted(flow, flow.jacobian(b, flow.drift(b)), _entry_errors(flow, b), b)
 
@@ -210,8 +209,12 @@ def eigenvalues(flow: ExactFlow, b: Sequence[Any]) -> tuple[_Numbers, _Numbers] 
 def _sorted(
     flow: ExactFlow, matrix: mpmath.matrix, bounds: mpmath.matrix, b: Sequence[Any]
 ) -> tuple[_Numbers, _Numbers] | None:
-    values, left, right = mpmath.eig(matrix, left=True, right=True)
     norm = mpmath.mnorm(matrix, "f")
+    across = _across(flow, b)
+    units = 32 if matrix.rows == across.cols else 64
+    matrix = across.T * matrix * across
+    bounds = across.T.apply(abs) * bounds * across.apply(abs)
+    values, left, right = mpmath.eig(matrix, left=True, right=True)
     found = []
     for i, value in enumerate(values):
         y, x = left[i, :], right[:, i]
@@ -220,26 +223,38 @@ def _sorted(
             for r in range(matrix.rows)
             for c in range(matrix.cols)
         )
-        # The method is backward stable, with some units of the norm.
-        backward = 32 * UNIT * norm * mpmath.mnorm(y, "f") * mpmath.mnorm(x, "f")
+        # The method is backward stable, with some units of the norm; so is the projection.
+        backward = units * UNIT * norm * mpmath.mnorm(y, "f") * mpmath.mnorm(x, "f")
         weight = abs(mpmath.fsum(y[0, r] * x[r] for r in range(matrix.rows)))
         if weight < mpmath.mpf(10) ** -10 * mpmath.mnorm(y, "f") * mpmath.mnorm(x, "f"):
             return None
         found.append((mpmath.mpc(value), (own + backward) / weight))
-    symmetries = np.array(flow.formulas.flow.symmetries).reshape(-1, len(b))
-    moved = int(np.linalg.matrix_rank(symmetries * [bool(x) for x in b])) if symmetries.size else 0
-    found = sorted(found, key=lambda pair: abs(pair[0]))
     noise = norm * mpmath.mpf(10) ** (8 - mpmath.mp.dps)
-    if moved and abs(abs(found[moved][0]) - abs(found[moved - 1][0])) < noise:
-        return None
-    found = found[moved:]
 
     def rank(pair: tuple[Any, Any]) -> tuple[Any, Any]:
         return -mpmath.nint(pair[0].real / noise), -pair[0].imag
 
     found = sorted(found, key=rank)
+    moved = 2 * len(b) - len(found)
     found += [(mpmath.mpc(mpmath.nan, mpmath.nan), mpmath.mpf(0))] * moved
     return tuple(value for value, _ in found), tuple(error for _, error in found)
+
+
+def _across(flow: ExactFlow, b: Sequence[Any]) -> mpmath.matrix:
+    """An orthonormal basis of what is across the circles of the symmetries, in its columns."""
+    active = np.array([bool(x) for x in b])
+    rows: list[tuple[int, ...]] = []
+    for k in flow.formulas.flow.symmetries:
+        if np.linalg.matrix_rank(np.array([*rows, k]) * active) > len(rows):
+            rows.append(k)
+    if not rows:
+        return mpmath.eye(2 * len(b))
+    along = mpmath.matrix(2 * len(b), len(rows))
+    for a, k in enumerate(rows):
+        for j, x in enumerate(b):
+            moved = mpmath.mpc(0, k[j]) * x
+            along[2 * j, a], along[2 * j + 1, a] = moved.real, moved.imag
+    return mpmath.qr(along, mode="full")[0][:, len(rows) :]
 
 
 # --- equilibria -----------------------------------------------------------------------------------

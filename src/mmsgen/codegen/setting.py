@@ -241,7 +241,8 @@ class Setting:
             divisor = field.divisors[m]
             used = {n for n, d in zip(field.names, divisor.degrees(), strict=True) if d}
             if not used <= positive or len({q > 0 for q in divisor.coeffs()}) > 1:
-                found.append(str(self.case.symbols.polynomial(divisor)))
+                shown = self.case.symbols.polynomial(divisor)
+                found += [str(shown)] if shown.free_symbols else []  # π is a generator too
         return tuple(sorted(found))
 
 

@@ -158,7 +158,7 @@ def stability_at(
             return np.where(lost, _NOTHING, spectrum(flow, c, b, drift))
         matrices = jacobian(flow, c, b, drift)
         change = _moving(flow, kernel, arguments, b, lost[..., 0])
-        values, slopes = eigenvalue_slopes(flow, matrices, change, b)
+        values, slopes = eigenvalue_slopes(flow, matrices, change, b, held=True)
     return np.where(lost, _NOTHING, values), dict(zip(names, slopes, strict=True))
 
 
