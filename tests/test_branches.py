@@ -388,9 +388,8 @@ def test_frequency_response_of_a_slow_flow() -> None:
     assert [b.kind for b in by_frequency.bifurcations] == ["saddle-node"] * 2
     for a, b in zip(by_frequency.bifurcations, by_detuning.bifurcations, strict=True):
         assert a.parameter - 2.0 == pytest.approx(b.parameter, abs=1e-13)
-    others = {name: x for name, x in values.items() if name != "kappa"}
-    over_force = flow.frequency_response({**others, "sigma": 0.1, kappa: np.linspace(0, 1, 41)[1:]})
-    assert over_force.name == "kappa"
+    force = {"kappa": np.linspace(0, 1, 41)[1:], "sigma": 0.1}
+    assert flow.frequency_response({**values, **force}).name == "kappa"
     with pytest.raises(MmsgenError, match="exactly one parameter has to be an array"):
         flow.frequency_response({**values, "sigma": 0.1})
     with pytest.raises(MmsgenError, match="only sigma varies, so mu must be a number"):
