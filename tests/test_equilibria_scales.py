@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from flow_tables import DAMPED, FORCE_1, FORCE_2, ONE_TO_THREE, QUADRATIC, table
+from flow_tables import DAMPED, FORCE_1, FORCE_2, ONE_TO_THREE, QUADRATIC, saturating, table
 
+from mmsgen.runtime._charts import chart
 from mmsgen.runtime._flow import Flow, jacobian
 from mmsgen.runtime._many_amplitudes import equilibria_of_many
+from mmsgen.runtime._planes import elsewhere
 from mmsgen.runtime._systems import equilibrium_system, patterns, scaled
 
 FORCED = {
@@ -106,22 +108,34 @@ def test_a_weak_force(force: float) -> None:
     assert found.amplitudes[0] == pytest.approx(expected, rel=max(force**2, 1e-13), abs=0.0)
 
 
-def test_weak_damping() -> None:
+@pytest.mark.parametrize("alpha", [1.0, 0.3, 3.0])
+def test_weak_damping(alpha: float) -> None:
     """Two coupled oscillators of van der Pol, μ(1 − u²)u': the motions of μ → 0, up to O(μ)."""
-    linear, cubic = (1, 0, 0, 0), (2, 1, 0, 0)
-    terms = [(0, *linear), (0, *cubic), (0, 0, 0, 1, 0), (1, 0, 0, 1, 0), (1, 0, 0, 2, 1)]
-    flow = table([*terms, (1, *linear)], ((1, 1),))
-    c = np.array(
-        [
-            [0.5 * mu + 0.05j, 1.5j - 0.5 * mu, -0.05j, 0.75 * mu + 0.1j, -1.5 * mu, -0.05j]
-            for mu in 10.0 ** -np.arange(2.0, 10.0)
-        ]
-    )
-    place = [flow.terms.index((t[0], (*t[1:3], 0, *t[3:], 0))) for t in (*terms, (1, *linear))]
-    ordered = np.zeros_like(c)
-    ordered[:, place] = c
-    found = equilibria_of_many(flow, ordered)
+    first, second = (1, 0, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0)
+    own = (2, 1, 0, 0, 0, 0), (0, 0, 0, 2, 1, 0)
+    terms = ((0, second), (0, first), (0, own[0]), (1, second), (1, own[1]), (1, first))
+    flow, damping = Flow(2, terms, ((1, 1),)), 10.0 ** -np.arange(2.0, 10.0)
+    c = [
+        [-0.05j, 0.5 * mu + 0.05j, 1.5j * alpha - 0.5 * mu, 0.75 * mu + 0.1j, -1.5 * mu, -0.05j]
+        for mu in damping
+    ]
+    found = equilibria_of_many(flow, np.array(c))
     assert np.isfinite(found.growth).sum(axis=1).tolist() == [3] * 8
-    limit = found.modulus[-1]
-    for k, mu in enumerate(10.0 ** -np.arange(2.0, 9.0)):
-        assert found.modulus[k] == pytest.approx(limit, rel=max(20 * mu, 1e-5))
+    # Rounding errors over μ are left of the weakest damping.
+    for modulus, mu in zip(found.modulus, damping, strict=True):
+        assert modulus == pytest.approx(found.modulus[-1], rel=max(50.0 * mu, 1e-5))
+
+
+def test_amplitudes_that_vanish() -> None:
+    """B_1 ~ 0 beside B_2 is none of both; B_2 that B_1³ moves is, however small."""
+    flow, c = saturating(0.1, 0.2, 0.3)
+    second, unit = c[flow.terms.index((1, (0,) * 6))], np.ones((1, 2))
+    rest = -second / c[flow.terms.index((1, (0, 0, 0, 1, 0, 0)))]
+    place = chart(flow, (0, 1))
+    nothing = np.zeros((1, 0))
+    assert elsewhere(place, c[None], np.array([[1e-15, rest]]), nothing, unit).tolist() == [True]
+    driven = FORCED["1:3 first"]
+    c = drawn(driven, 0.1, 1, 1)
+    linear = [c[0, driven.terms.index((0, e))] for e in ((0,) * 6, (1, 0, 0, 0, 0, 0))]
+    point = np.array([[-linear[0] / linear[1], 1e-15]])
+    assert elsewhere(chart(driven, (0, 1)), c, point, nothing, unit).tolist() == [False]
