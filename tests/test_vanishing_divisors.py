@@ -13,11 +13,11 @@ import numpy as np
 import pytest
 import sympy as sp
 from entries import EMITTED, emitted
+from systems import Omega, omega_1, omega_2, pair, t, x, y
 
 FILES = sorted(p for p in EMITTED.glob("*/*_order_*.py"))
 NAMES = [f"{p.parent.name}/{p.stem}" for p in FILES]
 LEADING = {"t": 1.0, "amplitude": 0.5}
-OPTIONS = {"gradient", "over", "order", "drift"}
 
 
 def functions_of(module: ModuleType) -> dict[str, tuple[Any, list[str], list[str]]]:
@@ -29,7 +29,7 @@ def functions_of(module: ModuleType) -> dict[str, tuple[Any, list[str], list[str
             continue
         items = inspect.signature(function).parameters.values()
         first = [p.name for p in items if p.kind is p.POSITIONAL_ONLY]
-        named = [p.name for p in items if p.kind is p.KEYWORD_ONLY and p.name not in OPTIONS]
+        named = [p.name for p in items if p.name in module.PARAMETERS]
         found[name] = function, first, named
     return found
 
@@ -107,7 +107,10 @@ def test_what_stays_finite_does_not_contain_the_divisor(name: str, number: int) 
     divisor = divisors_of(module)[number]
     values = vanishing(module, divisor)
     symbol = str(sorted(divisor.free_symbols, key=str)[0])
-    for function in {"growth_rate", "boundaries", "backbone"} & set(module.__all__):
+    formulas = {"growth_rate", "boundaries"} | (
+        {"backbone"} if len(module.COORDINATES) == 1 else set()
+    )
+    for function in formulas & set(module.__all__):
         there = np.array(called(module, function, values))
         if not np.isfinite(there).all():
             continue
@@ -115,3 +118,19 @@ def test_what_stays_finite_does_not_contain_the_divisor(name: str, number: int) 
         for step in (1e-9, -1e-9):
             near = called(module, function, values | {symbol: values[symbol] * (1 + step)})
             np.testing.assert_allclose(near, there, rtol=1e-6)
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (3,)])
+@pytest.mark.filterwarnings("error")
+def test_the_engine_says_the_same(shape: tuple[int, ...]) -> None:
+    f11, f12, f21, f22 = sp.symbols("f_11 f_12 f_21 f_22", real=True)
+    c = 2 * sp.cos(Omega * t)
+    eom = pair(c * (f11 * x + f12 * y), c * (f21 * x + f22 * y))
+    scaled = eom.scale(dict.fromkeys((f11, f12, f21, f22), 1))
+    flow = scaled.expand(2, {Omega: omega_1 + omega_2}).slow_flow
+    values = dict.fromkeys(("omega_1", "omega_2", "f_11", "f_12", "f_21", "f_22"), 1.0)
+    values["sigma"] = np.full(shape, 1.0)
+    assert np.isnan(flow.growth_rate(values)).all()
+    assert np.isnan(flow.boundaries(values)).all()
+    assert np.isnan(flow.evolution(values, [0.1, 0.2], 1.0)).all()
+    assert np.isnan(flow.beating(values, [0.1, 0.2]).largest).all()

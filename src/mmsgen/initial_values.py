@@ -64,7 +64,8 @@ def _numbers(
     except ValueError as error:
         raise MmsgenError(str(error)) from None
     # A linear flow is its own derivative, taken anywhere.
-    return *wirtinger(table.flow, table.numbers(values), np.zeros(n)), start
+    with np.errstate(all="ignore"):
+        return *wirtinger(table.flow, table.numbers(values), np.zeros(n)), start
 
 
 def evolution(

@@ -169,7 +169,9 @@ class LinearFlow:
             n = len(block.nodes)
             flat = np.stack(numbers[start : start + n * n], axis=-1)
             matrix = flat.reshape(*flat.shape[:-1], n, n).astype(complex)
-            rates.append(np.linalg.eigvals(matrix).real.max(axis=-1))
+            finite = np.asarray(np.isfinite(matrix).all(axis=(-2, -1)))
+            found = np.linalg.eigvals(np.where(finite[..., None, None], matrix, 0.0))
+            rates.append(np.where(finite, found.real.max(axis=-1), np.nan))
             start += n * n
         given = (np.shape(v) for v in values.values())
         return np.broadcast_to(

@@ -225,7 +225,9 @@ class Evaluator:
         missing = [p.name for p in self.needed if p.name not in table]
         if missing:
             raise MmsgenError(f"no value is given for {', '.join(missing)}")
-        return [np.asarray(x) for x in self._function(*(table[p.name] for p in self.needed))]
+        with np.errstate(all="ignore"):  # where a divisor vanishes, the result is not finite
+            found = self._function(*(table[p.name] for p in self.needed))
+        return [np.asarray(x) for x in found]
 
     def plain(self, arguments: Sequence[Any]) -> list[Any]:
         """The values from those of `needed`, in its order, without any check."""
