@@ -158,7 +158,8 @@ def test_without_an_autonomous_frame_it_takes_the_amplitudes_themselves() -> Non
     """u = A e^{iωt} + αA³/(8ω²) e^{3iωt} + c.c.: of two forces in resonance nothing is left."""
     module, times = functions("beats"), np.linspace(0.0, 5.0, 4)
     assert module.FRAME is None
-    assert [n for n in module.__all__ if n.islower()] == ["response", "slow_flow"]
+    named = ["initial_amplitudes", "response", "slow_flow"]
+    assert [n for n in module.__all__ if n.islower()] == named
     given = {"sigma_1": 0.1, "sigma_2": 0.2, "alpha": 0.1, "k": 0.1, "omega": 1.3}
     a = (0.1 + 0.2j) * np.exp(0.3j * times)
     z = a * np.exp(1.3j * times)
@@ -325,3 +326,28 @@ def test_a_missing_amplitude_alone_is_missing_in_silence() -> None:
     # warnings are errors here: NaN in, NaN out, and nothing to be said about sizes
     found = functions("free1").response(0.0, [np.nan], alpha=1.0, omega=1.0)
     assert np.isnan(found).all()
+
+
+# --- from states ----------------------------------------------------------------------------------
+
+
+@quiet
+@pytest.mark.parametrize("name", [n for n in CASES if n != "beats"])
+def test_initial_amplitudes_are_those_of_the_engine(name: str) -> None:
+    flow, given = nonlinear(name).case.slow_flow, values(name, 0.05)
+    n = len(flow.case.coordinates)
+    q, v = np.linspace(0.2, 0.5, 3 * n).reshape(3, n), np.linspace(-0.4, 0.3, n)
+    found = functions(name).initial_amplitudes(q, v, **given)
+    # The last step of Newton's method is 1e-10, and what follows it a millionth of that.
+    assert np.abs(found - flow.initial_amplitudes(given, q, v)).max() < 1e-14
+    assert np.abs(functions(name).response(0.0, found, **given) - q).max() < 1e-14
+
+
+def test_initial_amplitudes_without_an_autonomous_frame() -> None:
+    given = {"sigma_1": 0.1, "sigma_2": 0.2, "alpha": 0.01, "k": 0.02, "omega": 1.3}
+    a = functions("beats").initial_amplitudes([0.4], [0.1], **given)
+    rate = functions("beats").slow_flow(a, **given, t=0.0)[0]
+    z, third = a[0], 0.01 / (8 * 1.3**2)
+    moving = 1.3j * z + rate
+    assert 2 * (z + third * z**3).real == pytest.approx(0.4, rel=1e-13)
+    assert 2 * (moving + third * 3 * z**2 * moving).real == pytest.approx(0.1, rel=1e-12)

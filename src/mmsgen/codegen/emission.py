@@ -13,6 +13,7 @@ from .boundaries import boundary_function
 from .case_module import case_text
 from .evolution import evolution_functions
 from .growth import growth_function
+from .initial import initial_function
 from .kernels import SHARED, EmittedFunction
 from .kinds import kinds_of
 from .matrices import characteristic_function, matrix_function
@@ -34,20 +35,21 @@ Cases = Expansion | Iterable[Expansion]
 def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
     """All functions of a case, in the order in which they are emitted.
 
-    All have `slow_flow` and `response`. A linear slow flow has what follows from its matrix; one
-    that is nonlinear, or driven, what follows from its equilibria, if a frame makes it autonomous.
+    All have `slow_flow`, `response` and `initial_amplitudes`. A linear slow flow has what follows
+    from its matrix; one that is nonlinear, or driven, what follows from its equilibria, if a frame
+    makes it autonomous.
     A case whose boundary is not known as the zero of a polynomial has no `boundaries` and no
     `critical_speeds`; one whose mode shapes change with the detuned frequency has none of these
     either. Where modes are named quantities, `modes` computes these.
     """
     modes = modes_function(setting)
     named = () if modes is None else (modes,)
-    flow = modulation_function(setting)
+    flow, start = modulation_function(setting), initial_function(setting)
     if setting.linear is None:
         if setting.flow.frame is None:
-            return (flow, motion_function(setting, None), *named)
+            return (flow, motion_function(setting, None), start, *named)
         rest = flow_functions(setting)
-        return (flow, *rest, motion_function(setting, (TABLE, COEFFICIENTS)), *named)
+        return (flow, *rest, motion_function(setting, (TABLE, COEFFICIENTS)), start, *named)
     edges: tuple[EmittedFunction, ...] = ()
     if not setting.no_boundary:
         boundaries = boundary_function(setting)
@@ -62,6 +64,7 @@ def emitted_functions(setting: Setting) -> tuple[EmittedFunction, ...]:
         flow,
         *evolution_functions(setting, flow.kernels[0]),
         motion_function(setting, None),
+        start,
         *named,
     )
 

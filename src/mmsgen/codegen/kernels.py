@@ -38,6 +38,7 @@ RUNTIME = {
     "modal_values": "_eigenmodes",
     "Flow": "_flow",
     **dict.fromkeys(("Motion", "response_at"), "_motion"),
+    "initial_at": "_initial",
     **dict.fromkeys(
         ("backbone_at", "equilibria_at", "jacobian_at", "response_along", "stability_at"),
         "_nonlinear",
