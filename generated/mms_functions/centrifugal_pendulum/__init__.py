@@ -40,6 +40,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "nu_is_omega_p_order_4": {
@@ -57,6 +58,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._flow import Flow
+from .._initial import initial_at
 from .._many_amplitudes import equilibria_of_many
 from .._modes import modes_at
 from .._motion import Motion, response_at
@@ -43,6 +44,7 @@ __all__ = [
     "backbone",
     "equilibria",
     "frequency_response",
+    "initial_amplitudes",
     "jacobian",
     "response",
     "slow_flow",
@@ -950,3 +952,50 @@ def response(
         slow=(_FLOW, _coefficients, 7),
         names=("sigma", "omega_r", "omega_p", "n", "b", "mu", "tau") if gradient else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma: ArrayLike, omega_r: ArrayLike, omega_p: ArrayLike,
+    n: ArrayLike, b: ArrayLike, mu: ArrayLike, tau: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 2), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 2), per second.
+    sigma : array_like
+        Detuning, nu = omega_p + sigma, rad/s, real.
+    omega_r : array_like
+        Frequency of the rotor on its spring, without pendulum, rad/s, > 0.
+    omega_p : array_like
+        Frequency of the pendulum on a uniform rotor, n Ω, rad/s, > 0.
+    n : array_like
+        Order of tuning, the root of R/ρ, > 0.
+    b : array_like
+        Ratio of inertias, m (R + ρ)²/J, > 0.
+    mu : array_like
+        Damping of the pendulum, 1/s, >= 0.
+    tau : array_like
+        Torque over the inertia of the rotor, T/J, 1/s^2, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, omega_r=omega_r, omega_p=omega_p, n=n, b=b, mu=mu, tau=tau,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 7, False))

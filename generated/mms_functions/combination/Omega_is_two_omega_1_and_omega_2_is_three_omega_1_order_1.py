@@ -28,6 +28,7 @@ from .._dual import boundaries_at, real_at
 from .._edges import explicit_edges, zone
 from .._evolution import Linear, evolution_at
 from .._growth import conservative_growth
+from .._initial import initial_at
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -54,6 +55,7 @@ __all__ = [
     "critical_speeds",
     "evolution",
     "growth_rate",
+    "initial_amplitudes",
     "response",
     "slow_flow",
     "slow_flow_matrix",
@@ -683,3 +685,51 @@ def response(
         order=order,
         names=("sigma_1", "sigma_2", "omega_1", "f_11", "f_12", "f_21", "f_22") if gradient else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
+    f_11: ArrayLike, f_12: ArrayLike, f_21: ArrayLike, f_22: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 2), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 2), per second.
+    sigma_1 : array_like
+        Detuning, Omega = 2*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the first mode, rad/s, > 0.
+    f_11 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_12 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_21 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+    f_22 : array_like
+        Half the modulation of a stiffness, rad^2/s^2, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, f_11=f_11, f_12=f_12,
+        f_21=f_21, f_22=f_22,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 6, False))

@@ -49,6 +49,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_1_plus_omega_2_order_2": {
@@ -71,6 +72,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_2_minus_omega_1_order_1": {
@@ -93,6 +95,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_2_minus_omega_1_order_2": {
@@ -115,6 +118,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_two_omega_1_order_2": {
@@ -137,6 +141,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_two_omega_1_and_omega_2_is_three_omega_1_order_1": {
@@ -163,6 +168,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._flow import Flow
+from .._initial import initial_at
 from .._motion import Motion, response_at
 from .._nonlinear import backbone_at, equilibria_at, jacobian_at, response_along, stability_at
 from .._one_amplitude import equilibria_of_one
@@ -38,6 +39,7 @@ __all__ = [
     "backbone",
     "equilibria",
     "frequency_response",
+    "initial_amplitudes",
     "jacobian",
     "response",
     "slow_flow",
@@ -457,3 +459,44 @@ def response(
         slow=(_FLOW, _coefficients, 5),
         names=("sigma", "omega_0", "alpha", "mu", "K") if gradient else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma: ArrayLike, omega_0: ArrayLike, alpha: ArrayLike,
+    mu: ArrayLike, K: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 1), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 1), per second.
+    sigma : array_like
+        Detuning, Omega = omega_0 + sigma, rad/s, real.
+    omega_0 : array_like
+        Frequency of small oscillations, rad/s, > 0.
+    alpha : array_like
+        Cubic stiffness over the mass, 1/(m^2 s^2), > 0.
+    mu : array_like
+        Half the damping over the mass, 1/s, > 0.
+    K : array_like
+        Amplitude of the force over the mass, m/s^2, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, omega_0=omega_0, alpha=alpha, mu=mu, K=K)
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 5, False))

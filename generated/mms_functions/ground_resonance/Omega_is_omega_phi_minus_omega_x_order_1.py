@@ -24,6 +24,7 @@ from .._beating import Beating, beating_at
 from .._dual import boundaries_at, real_at
 from .._evolution import Linear, evolution_at
 from .._growth import growing
+from .._initial import initial_at
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -51,6 +52,7 @@ __all__ = [
     "critical_speeds",
     "evolution",
     "growth_rate",
+    "initial_amplitudes",
     "response",
     "slow_flow",
     "slow_flow_matrix",
@@ -657,3 +659,49 @@ def response(
         order=order,
         names=("sigma", "r_m", "r_b", "omega_x", "omega_phi", "omega_y") if gradient else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma: ArrayLike, r_m: ArrayLike, r_b: ArrayLike,
+    omega_x: ArrayLike, omega_phi: ArrayLike, omega_y: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 6), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 6), per second.
+    sigma : array_like
+        Detuning, Omega = omega_phi - omega_x + sigma, rad/s, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, r_m=r_m, r_b=r_b, omega_x=omega_x, omega_phi=omega_phi,
+        omega_y=omega_y,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 5, False))

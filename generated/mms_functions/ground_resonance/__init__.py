@@ -60,6 +60,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_x_plus_omega_phi_order_2": {
@@ -82,6 +83,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_y_plus_omega_phi_order_1": {
@@ -104,6 +106,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_y_plus_omega_phi_order_2": {
@@ -126,6 +129,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_x_minus_omega_phi_order_1": {
@@ -149,6 +153,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_x_minus_omega_phi_order_2": {
@@ -172,6 +177,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_y_minus_omega_phi_order_1": {
@@ -195,6 +201,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_y_minus_omega_phi_order_2": {
@@ -218,6 +225,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_phi_minus_omega_x_order_1": {
@@ -241,6 +249,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_phi_minus_omega_x_order_2": {
@@ -264,6 +273,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_phi_minus_omega_y_order_1": {
@@ -287,6 +297,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_phi_minus_omega_y_order_2": {
@@ -310,6 +321,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_x_plus_omega_phi_and_omega_y_is_omega_x_order_1": {
@@ -333,6 +345,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_x_plus_omega_phi_and_omega_y_is_omega_x_order_2": {
@@ -356,6 +369,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_y_is_omega_x_order_2": {
@@ -378,6 +392,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "nonresonant_order_1": {
@@ -397,6 +412,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "nonresonant_order_2": {
@@ -416,6 +432,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

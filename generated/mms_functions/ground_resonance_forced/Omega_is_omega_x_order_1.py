@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._flow import Flow
+from .._initial import initial_at
 from .._many_amplitudes import equilibria_of_many
 from .._modes import modes_at
 from .._motion import Motion, response_at
@@ -39,6 +40,7 @@ __all__ = [
     "backbone",
     "equilibria",
     "frequency_response",
+    "initial_amplitudes",
     "jacobian",
     "response",
     "slow_flow",
@@ -825,3 +827,70 @@ def response(
         if gradient
         else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma: ArrayLike, e_1: ArrayLike, e_2: ArrayLike,
+    e_3: ArrayLike, e_4: ArrayLike, r_m: ArrayLike, r_a: ArrayLike, omega_x: ArrayLike,
+    mu_x: ArrayLike, mu_y: ArrayLike, mu_b: ArrayLike, r_h: ArrayLike, omega_phi: ArrayLike,
+    r_b: ArrayLike, omega_y: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 6), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 6), per second.
+    sigma : array_like
+        Detuning, Omega = omega_x + sigma, rad/s, real.
+    e_1 : array_like
+        What blade 1 is heavier by, over the mass of a blade, real.
+    e_2 : array_like
+        What blade 2 is heavier by, over the mass of a blade, real.
+    e_3 : array_like
+        What blade 3 is heavier by, over the mass of a blade, real.
+    e_4 : array_like
+        What blade 4 is heavier by, over the mass of a blade, real.
+    r_m : array_like
+        Static moment of a blade over the mass of the helicopter, m, > 0.
+    r_a : array_like
+        Lag frequency per rotor speed of a blade without lag spring, > 0.
+    omega_x : array_like
+        Longitudinal frequency of the fuselage, rad/s, > 0.
+    mu_x : array_like
+        Longitudinal damping rate of the fuselage, 1/s, >= 0.
+    mu_y : array_like
+        Lateral damping rate of the fuselage, 1/s, >= 0.
+    mu_b : array_like
+        Lag damping rate of a blade, 1/s, >= 0.
+    r_h : array_like
+        Eccentricity of a hinge over the distance from it to the centre, > 0.
+    omega_phi : array_like
+        Lag frequency of a blade at speed, rad/s, > 0.
+    r_b : array_like
+        Static moment of a blade over its inertia about the hinge, 1/m, > 0.
+    omega_y : array_like
+        Lateral frequency of the fuselage, rad/s, > 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 6), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, e_1=e_1, e_2=e_2, e_3=e_3, e_4=e_4, r_m=r_m, r_a=r_a,
+        omega_x=omega_x, mu_x=mu_x, mu_y=mu_y, mu_b=mu_b, r_h=r_h, omega_phi=omega_phi, r_b=r_b,
+        omega_y=omega_y,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 13, False))

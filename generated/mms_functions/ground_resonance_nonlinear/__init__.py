@@ -40,6 +40,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

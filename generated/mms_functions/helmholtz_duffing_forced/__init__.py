@@ -42,6 +42,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "two_Omega_is_omega_0_order_2": {
@@ -59,6 +60,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_two_omega_0_order_1": {
@@ -82,6 +84,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_two_omega_0_order_2": {
@@ -99,6 +102,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

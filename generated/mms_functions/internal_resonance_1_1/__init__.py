@@ -41,6 +41,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_y_is_omega_x_order_4": {
@@ -58,6 +59,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_y_is_omega_x_and_Omega_is_omega_x_order_2": {
@@ -75,6 +77,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._flow import Flow
+from .._initial import initial_at
 from .._many_amplitudes import equilibria_of_many
 from .._modes import modes_at
 from .._motion import Motion, response_at
@@ -39,6 +40,7 @@ __all__ = [
     "backbone",
     "equilibria",
     "frequency_response",
+    "initial_amplitudes",
     "jacobian",
     "response",
     "slow_flow",
@@ -538,3 +540,48 @@ def response(
         slow=(_FLOW, _coefficients, 6),
         names=("sigma_1", "sigma_2", "L", "omega_x", "mu", "f") if gradient else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, L: ArrayLike,
+    omega_x: ArrayLike, mu: ArrayLike, f: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 2), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 2), per second.
+    sigma_1 : array_like
+        Detuning, omega_y = omega_x + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_x + sigma_2, rad/s, real.
+    L : array_like
+        Length, m, > 0.
+    omega_x : array_like
+        Frequency of small swings along x, rad/s, > 0.
+    mu : array_like
+        Damping, 1/s, >= 0.
+    f : array_like
+        Acceleration of the pivot over the length, 1/s^2, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, L=L, omega_x=omega_x, mu=mu, f=f,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 6, False))

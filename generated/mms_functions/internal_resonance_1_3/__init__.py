@@ -43,6 +43,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_2_order_1": {
@@ -60,6 +61,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_2_order_2": {
@@ -77,6 +79,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_1_order_1": {
@@ -94,6 +97,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_2_is_three_omega_1_and_Omega_is_omega_1_order_2": {
@@ -111,6 +115,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

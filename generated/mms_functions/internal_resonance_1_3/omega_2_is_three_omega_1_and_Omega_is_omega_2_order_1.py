@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._flow import Flow
+from .._initial import initial_at
 from .._many_amplitudes import equilibria_of_many
 from .._modes import modes_at
 from .._motion import Motion, response_at
@@ -39,6 +40,7 @@ __all__ = [
     "backbone",
     "equilibria",
     "frequency_response",
+    "initial_amplitudes",
     "jacobian",
     "response",
     "slow_flow",
@@ -725,3 +727,70 @@ def response(
         if gradient
         else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma_1: ArrayLike, sigma_2: ArrayLike, omega_1: ArrayLike,
+    mu_1: ArrayLike, mu_2: ArrayLike, alpha_1: ArrayLike, alpha_2: ArrayLike, alpha_3: ArrayLike,
+    alpha_5: ArrayLike, alpha_6: ArrayLike, alpha_8: ArrayLike, F_2: ArrayLike, alpha_4: ArrayLike,
+    alpha_7: ArrayLike, F_1: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 2), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 2), per second.
+    sigma_1 : array_like
+        Detuning, omega_2 = 3*omega_1 + sigma_1, rad/s, real.
+    sigma_2 : array_like
+        Detuning, Omega = omega_2 + sigma_2, rad/s, real.
+    omega_1 : array_like
+        Natural frequency of the slower oscillator, rad/s, > 0.
+    mu_1 : array_like
+        Damping of the slower oscillator, 1/s, >= 0.
+    mu_2 : array_like
+        Damping of the faster oscillator, 1/s, >= 0.
+    alpha_1 : array_like
+        Cubic term 1, 1/(m^2 s^2), real.
+    alpha_2 : array_like
+        Cubic term 2, 1/(m^2 s^2), real.
+    alpha_3 : array_like
+        Cubic term 3, 1/(m^2 s^2), real.
+    alpha_5 : array_like
+        Cubic term 5, 1/(m^2 s^2), real.
+    alpha_6 : array_like
+        Cubic term 6, 1/(m^2 s^2), real.
+    alpha_8 : array_like
+        Cubic term 8, 1/(m^2 s^2), real.
+    F_2 : array_like
+        Force on the faster oscillator, over its mass, m/s^2, >= 0.
+    alpha_4 : array_like
+        Cubic term 4, 1/(m^2 s^2), real.
+    alpha_7 : array_like
+        Cubic term 7, 1/(m^2 s^2), real.
+    F_1 : array_like
+        Force on the slower oscillator, over its mass, m/s^2, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma_1=sigma_1, sigma_2=sigma_2, omega_1=omega_1, mu_1=mu_1, mu_2=mu_2,
+        alpha_1=alpha_1, alpha_2=alpha_2, alpha_3=alpha_3, alpha_5=alpha_5, alpha_6=alpha_6,
+        alpha_8=alpha_8, F_2=F_2, alpha_4=alpha_4, alpha_7=alpha_7, F_1=F_1,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 12, False))

@@ -52,6 +52,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_is_Omega_over_2_order_2": {
@@ -75,6 +76,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_is_Omega_over_2_order_4": {
@@ -98,6 +100,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_is_Omega_order_2": {
@@ -120,6 +123,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_is_Omega_order_4": {
@@ -142,6 +146,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_is_three_Omega_over_2_order_3": {
@@ -164,6 +169,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "omega_is_three_Omega_over_2_order_4": {
@@ -186,6 +192,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
     "nonresonant_order_4": {
@@ -205,6 +212,7 @@ CASES: dict[str, dict[str, Any]] = {
             "evolution",
             "beating",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

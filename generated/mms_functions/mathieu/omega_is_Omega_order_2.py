@@ -24,6 +24,7 @@ from .._dual import boundaries_at, real_at
 from .._edges import explicit_edges
 from .._evolution import Linear, evolution_at
 from .._growth import quadratic_growth
+from .._initial import initial_at
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -50,6 +51,7 @@ __all__ = [
     "critical_speeds",
     "evolution",
     "growth_rate",
+    "initial_amplitudes",
     "response",
     "slow_flow",
     "slow_flow_matrix",
@@ -553,3 +555,42 @@ def response(
         order=order,
         names=("sigma", "Omega", "q", "mu") if gradient else (),
     )
+
+
+def initial_amplitudes(
+    q_: ArrayLike, v: ArrayLike, /, *, sigma: ArrayLike, Omega: ArrayLike, q: ArrayLike,
+    mu: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q_ : array_like
+        Coordinates at t = 0, shape (..., 1), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 1), per second.
+    sigma : array_like
+        Detuning, omega = Omega + sigma, rad/s, real.
+    Omega : array_like
+        Frequency of the modulation, rad/s, > 0.
+    q : array_like
+        Half the modulation of the stiffness, rad^2/s^2, >= 0.
+    mu : array_like
+        Rate at which free oscillations decay, 1/s, >= 0.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 1), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(PARAMETERS, sigma=sigma, Omega=Omega, q=q, mu=mu)
+    return initial_at(_MOTION, _motion, arguments, q_, v, (_slow_flow, 4, False))

@@ -40,6 +40,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_two_omega_order_2": {
@@ -57,6 +58,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }

@@ -27,6 +27,7 @@ from .._edges import explicit_edges
 from .._eigenmodes import modal_values
 from .._evolution import Linear, evolution_at
 from .._growth import growing
+from .._initial import initial_at
 from .._motion import Motion, response_at
 from .._runtime import (
     checked,
@@ -53,6 +54,7 @@ __all__ = [
     "critical_speeds",
     "evolution",
     "growth_rate",
+    "initial_amplitudes",
     "modes",
     "response",
     "slow_flow",
@@ -640,6 +642,58 @@ def response(
         if gradient
         else (),
     )
+
+
+def initial_amplitudes(
+    q: ArrayLike, v: ArrayLike, /, *, sigma: ArrayLike, kappa: ArrayLike, omega_2: ArrayLike,
+    Phi_alpha_2: ArrayLike, omega_1: ArrayLike, Phi_alpha_1: ArrayLike, Theta_beta_1: ArrayLike,
+    Theta_beta_2: ArrayLike,
+) -> NDArray[np.complex128]:
+    """Amplitudes at t = 0 of the motion with given coordinates and velocities there.
+
+    The solution of response(0, amplitudes) = q, and of its derivative along slow_flow = v, that
+    goes over into that of order zero as the small parameters go to zero.
+
+    Parameters
+    ----------
+    q : array_like
+        Coordinates at t = 0, shape (..., 2), in the order of COORDINATES.
+    v : array_like
+        Velocities at t = 0, shape (..., 2), per second.
+    sigma : array_like
+        Detuning, nu = 2*omega_2 + sigma, rad/s, real.
+    kappa : array_like
+        Amplitude of its modulation in one direction, N m/rad, > 0.
+    omega_2 : array_like
+        Natural frequency 2, of alpha, beta, rad/s, > 0.
+    Phi_alpha_2 : array_like
+        Component alpha of mode 2, real.
+    omega_1 : array_like
+        Natural frequency 1, of alpha, beta, rad/s, > 0.
+    Phi_alpha_1 : array_like
+        Component alpha of mode 1, real.
+    Theta_beta_1 : array_like
+        Component beta of mode 1, in quadrature, real.
+    Theta_beta_2 : array_like
+        Component beta of mode 2, in quadrature, real.
+
+    Returns
+    -------
+    complex128
+        Shape (..., 2), complex128; NaN where there is none near that of order zero, as far outside
+        of the scaling, or where a harmonic resonates itself.
+
+    Raises
+    ------
+    ValueError
+        If a value is not a finite real number in the domain given above; it is named.
+    """
+    arguments = checked(
+        PARAMETERS, sigma=sigma, kappa=kappa, omega_2=omega_2, Phi_alpha_2=Phi_alpha_2,
+        omega_1=omega_1, Phi_alpha_1=Phi_alpha_1, Theta_beta_1=Theta_beta_1,
+        Theta_beta_2=Theta_beta_2,
+    )
+    return initial_at(_MOTION, _motion, arguments, q, v, (_slow_flow, 4, False))
 
 
 def modes(*, I_t: ArrayLike, I_p: ArrayLike, Omega_s: ArrayLike, k: ArrayLike) -> dict[str, Any]:

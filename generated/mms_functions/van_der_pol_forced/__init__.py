@@ -42,6 +42,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "Omega_is_omega_0_order_2": {
@@ -59,6 +60,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "nonresonant_order_1": {
@@ -76,6 +78,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
     "nonresonant_order_2": {
@@ -93,6 +96,7 @@ CASES: dict[str, dict[str, Any]] = {
             "jacobian",
             "stability",
             "response",
+            "initial_amplitudes",
         ),
     },
 }
