@@ -95,7 +95,10 @@ def demand_notebook(name: str) -> None:
 
 
 def names_of(node: ast.AST) -> set[str]:
-    return {n.id for n in ast.walk(node) if isinstance(n, ast.Name)}
+    """Names that occur, without those that a loop or a comprehension in it counts with."""
+    counting = (n.target for n in ast.walk(node) if isinstance(n, ast.For | ast.comprehension))
+    own = {n.id for target in counting for n in ast.walk(target) if isinstance(n, ast.Name)}
+    return {n.id for n in ast.walk(node) if isinstance(n, ast.Name)} - own
 
 
 def makes(statement: ast.stmt) -> set[str]:

@@ -18,6 +18,7 @@ from systems import Omega, omega_1, omega_2, pair, t, x, y
 FILES = sorted(p for p in EMITTED.glob("*/*_order_*.py"))
 NAMES = [f"{p.parent.name}/{p.stem}" for p in FILES]
 LEADING = {"t": 1.0, "amplitude": 0.5}
+"""By name, without the underscore that a name has beside a parameter of the same name."""
 
 
 def functions_of(module: ModuleType) -> dict[str, tuple[Any, list[str], list[str]]]:
@@ -70,11 +71,12 @@ def leaves(result: Any) -> Iterator[np.ndarray]:
 
 def called(module: ModuleType, name: str, values: dict[str, Any]) -> list[np.ndarray]:
     function, first, named = functions_of(module)[name]
-    given = {**LEADING, "amplitudes": np.full(len(module.COORDINATES), 0.1 + 0.05j)}
+    state = np.full(len(module.COORDINATES), 0.1)
+    given = {**LEADING, "amplitudes": state + 0.05j, "q": state, "v": state}
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.filterwarnings("ignore", "outside of the validity", UserWarning)
-        result = function(*(given[n] for n in first), **{n: values[n] for n in named})
+        result = function(*(given[n.rstrip("_")] for n in first), **{n: values[n] for n in named})
     return list(leaves(result))
 
 
