@@ -29,7 +29,7 @@ from systems import (
 
 import mmsgen as mg
 from mmsgen.limit_cycles import LimitCycles, keeps_volumes
-from mmsgen.runtime._flow import rates, spectrum
+from mmsgen.runtime._flow import jacobian, rates, spectrum
 from mmsgen.runtime._records import Bifurcation
 
 VALUES = {"mu": 0.05, "k": 0.9, "alpha": 0.8, "beta": 0.8, "omega_1": 1.0, "sigma_1": 0.4}
@@ -102,6 +102,12 @@ def test_a_motion_ends_on_the_cycle() -> None:
     sizes = 2 * np.abs(path.y)
     assert cycle.modulus == pytest.approx(np.stack([sizes.min(1), sizes.max(1)], 1), abs=1e-9)
     assert cycle.verdict == "stable"
+    # Liouville: their product is e^{T div}, and the divergence of a quadratic coupling is zero.
+    divergence = [np.trace(jacobian(table.flow, numbers, b)) for b in path.y.T]
+    assert np.ptp(divergence) < 1e-15
+    product = np.exp(cycle.period * divergence[0])
+    # The errors of four multipliers, each of them at most one in modulus, add up.
+    assert abs(np.prod(cycle.multipliers) - product) < cycle.orbit.multiplier_errors.sum()
 
 
 def test_what_has_no_cycle_says_so() -> None:

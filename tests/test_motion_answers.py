@@ -133,9 +133,9 @@ def test_amplitudes_of_a_motion_at_its_start_are_those_it_was_made_of(seed: int)
         q.append(motion[3])
         v.append(np.array([-1, 9, -45, 0, 45, -9, 1]) @ motion / (60 * h))
     found = flow.initial_amplitudes(own, np.array(q), np.array(v))
-    # The difference quotient errs by h⁶ times the seventh derivative over 140, of 2·(3·2.5)^7 at
-    # most, and by rounding over h.
-    assert np.abs(found - b).max() < 1e-6 * h**3 + 1e-18 * 1e7 / 140 + 1e-12
+    # The difference quotient errs by h⁶ times the seventh derivative over 140, which is at most
+    # 2·7.5⁷ = 3e6 (amplitudes of 3 at frequencies of 2.5), and by rounding over h.
+    assert np.abs(found - b).max() < h**6 * 3e6 / 140 + 2e-15 / h
 
 
 def test_arrays_are_as_each_of_their_points() -> None:
